@@ -43,6 +43,7 @@ std::optional<CommandRequest> read_command_line(int argc, char** argv, const Add
 void add_plan(CLI::App& app, CommandRequest& request);
 void add_evaluate(CLI::App& app, CommandRequest& request);
 void add_path(CLI::App& app, CommandRequest& request);
+void add_together(CLI::App& app, CommandRequest& request);
 void add_simulate(CLI::App& app, CommandRequest& request);
 void add_render(CLI::App& app, CommandRequest& request);
 void add_inspect(CLI::App& app, CommandRequest& request);

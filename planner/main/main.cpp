@@ -7,6 +7,7 @@ int main(int argc, char** argv) {
     prehend::add_plan(app, request);
     prehend::add_evaluate(app, request);
     prehend::add_path(app, request);
+    prehend::add_together(app, request);
     prehend::add_simulate(app, request);
     prehend::add_render(app, request);
     prehend::add_inspect(app, request);

@@ -54,6 +54,10 @@ class GraspSearch {
         result_.end = SearchEnd::enough;
         break;
       }
+      if (has_settled()) {
+        result_.end = SearchEnd::settled;
+        break;
+      }
       const auto blocked = static_cast<double>(result_.trials.size()) - counted_;
       if (blocked > static_cast<double>(options_.most_blocked) * options_.trials) {
         result_.end = SearchEnd::blocked;
@@ -85,6 +89,20 @@ class GraspSearch {
     }
     add_from_sequence(size, batch);
     return batch;
+  }
+
+  // Whether the last trials have made the best grasps no better. As long as none holds they may.
+  bool has_settled() {
+    constexpr double kBetter = 1.01;
+    const bool preferred = !parents_.empty() && parents_.front().preferred;
+    double sum = 0.0;  // a grasp that is still missing counts as 0
+    for (const Parent& parent : parents_) sum += parent.epsilon;
+    if (preferred != settled_on_preferred_ || sum > kBetter * settled_on_) {
+      settled_on_preferred_ = preferred;
+      settled_on_ = sum;
+      settled_at_ = counted_;
+    }
+    return stable_ > 0 && counted_ - settled_at_ >= options_.settled * options_.trials;
   }
 
   // Goes on with the sequence until the batch has `size` candidates. Those that seem out of reach
@@ -237,6 +255,10 @@ class GraspSearch {
   SearchResult result_;
   int counted_ = 0;  // trials that were not blocked
   int stable_ = 0;
+  // The best grasps when they last got better, and counted_ then.
+  bool settled_on_preferred_ = false;
+  double settled_on_ = 0.0;  // the sum of their epsilons
+  int settled_at_ = 0;
   std::vector<Parent> parents_;
   std::deque<ProposedGrasp> waiting_;  // beside the best parents
   int curves_proposed_ = 0;            // in turn with solids

@@ -17,6 +17,7 @@ struct TrialOptions;
 // Why a search ended.
 enum class SearchEnd {
   trials,       // as many as asked for were made
+  settled,      // the last of them made the best grasps no better
   enough,       // as many grasps as asked for hold
   no_proposal,  // nothing was left to propose: nothing fits the hand, or all was tried
   blocked,      // too many hands were blocked on their way

@@ -24,6 +24,10 @@ struct SearchOptions {
   int trials = 800;
   int most_blocked = 10;
   int enough = 0;
+  // On 18 meshes, a plan with the Barrett hand takes 0.78 of the time of one that makes all trials,
+  // with the Franka hand 0.62; the best epsilon is the same in the median, and 0.97 and 0.98 times
+  // as large in the mean.
+  double settled = 0.2;
   // What is chosen depends on all trials of the batches before, in whatever order threads finish
   // them.
   int batch = 32;
@@ -41,8 +45,8 @@ struct SearchOptions {
 // The settings of a learned order, where there is one, are visited through LearnedOrder.
 template <SettingsOf<SearchOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [trials, most_blocked, enough, batch, local_fraction, followed, thin_parts_if_epsilon_below,
-         trials_before_back_offs, learned] = options;
+  auto& [trials, most_blocked, enough, settled, batch, local_fraction, followed,
+         thin_parts_if_epsilon_below, trials_before_back_offs, learned] = options;
   visit("trials", trials, kCountAbove0, "",
         "Most trials; those whose hand is blocked on its way cost next to nothing and are not "
         "counted.");
@@ -51,6 +55,10 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("enough", enough, kCount, "",
         "The search ends after the batch in which it has so many stable grasps; 0: after all "
         "trials.");
+  visit(
+      "settled", settled, kFractionAbove0, "",
+      "The search ends when this part of `trials` has made the best grasps (`followed`) no better, "
+      "in the mean by 1 %; 1: after all trials.");
   visit("batch", batch, kCountAbove0, "",
         "Candidates that are chosen together; more: better use of many processors, later use of "
         "what was found.");

@@ -52,6 +52,23 @@ Image arm_picture(const CompiledScene& scene, const PosedGrasp& grasp, const Pic
   return image;
 }
 
+Image shared_grasp_picture(const std::array<const CompiledScene*, 2>& scenes,
+                           const std::array<PosedGrasp, 2>& grasps, const Vector3& direction,
+                           const PictureSize& size, const RunContext& context) {
+  const GraspBodies first = grasp_bodies(*scenes[0], grasps[0]);
+  const GraspBodies second = grasp_bodies(*scenes[1], grasps[1]);
+  std::vector<DrawnBody> all = first.all();
+  std::vector<DrawnBody> framed = first.grasp();
+  for (const auto* bodies : {&second.hand, &second.contacts}) {
+    all.insert(all.end(), bodies->begin(), bodies->end());
+    framed.insert(framed.end(), bodies->begin(), bodies->end());
+  }
+  all.insert(all.end(), second.arm.begin(), second.arm.end());
+  Image image = view(all, framed, direction, size, context);
+  write_title(image, grasps[0].title);
+  return image;
+}
+
 Image grasp_from_four_sides(const CompiledScene& scene, const PosedGrasp& grasp,
                             const PictureSize& size, const RunContext& context) {
   const GraspBodies bodies = grasp_bodies(scene, grasp);

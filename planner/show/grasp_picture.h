@@ -1,6 +1,7 @@
 // Pictures of a grasp. All throw Cancelled.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "planner/show/picture/image.h"
@@ -26,6 +27,12 @@ Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp, const V
 // One view of the arm that holds the object; needs arm_joints.
 Image arm_picture(const CompiledScene& scene, const PosedGrasp& grasp,
                   const PictureSize& size = kGraspPicture, const RunContext& context = {});
+
+// One view of two hands that hold one object, each with its scene of it; obstacles are those of the
+// first scene. Arms are drawn where the grasps have arm_joints.
+Image shared_grasp_picture(const std::array<const CompiledScene*, 2>& scenes,
+                           const std::array<PosedGrasp, 2>& grasps, const Vector3& direction,
+                           const PictureSize& size = kGraspPicture, const RunContext& context = {});
 
 // Four views around the vertical in one picture, half as wide and high each.
 Image grasp_from_four_sides(const CompiledScene& scene, const PosedGrasp& grasp,

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <cstring>
 
 #if defined(__x86_64__)
@@ -25,10 +26,13 @@ using Ints8 = int __attribute__((vector_size(32)));
 using Longs4 = long long __attribute__((vector_size(32)));
 using Doubles4 = double __attribute__((vector_size(32)));
 
-// Whether this processor has AVX2.
+// Whether this processor has AVX2. For tests of what processors without compute, the environment
+// variable PREHEND_WITHOUT_AVX2 hides it.
 inline bool has_avx2() {
 #if defined(__x86_64__)
-  static const bool has = __builtin_cpu_supports("avx2") != 0;
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing here changes the environment
+  static const bool has =
+      __builtin_cpu_supports("avx2") != 0 && std::getenv("PREHEND_WITHOUT_AVX2") == nullptr;
   return has;
 #else
   return false;

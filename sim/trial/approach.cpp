@@ -161,8 +161,8 @@ void approach(const CompiledScene& scene, const std::vector<double>& joints,
     const Matrix3 R_TO = scene.pose_in(next.body, Pose::Identity()).linear();
     next.safe_until = travel + safe_way(next, gap, R_TO * motion.approach_O, options);
   }
-  // What is left of each gap bounds it at the end from below, which saves the closing hand its first
-  // queries.
+  // What is left of each gap bounds it at the end from below, which saves the closing hand its
+  // first queries.
   for (const ApproachPair& pair : all) {
     if (pair.body.is_object()) {
       result.object_clearance[index(pair.link)] =

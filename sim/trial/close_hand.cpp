@@ -123,8 +123,8 @@ class Closing {
   // For how long from time t on, for which the links are placed, the gap that a query found stays
   // above contact_gap. Convex parts that are apart along a direction stay so until motions along
   // it have used their distance up: fingers side by side are asked for once.
-  double safe_time(const ClosingPair& pairing, const Gap& gap, const Matrix3& R_PH, double speed_now,
-                   double t) const {
+  double safe_time(const ClosingPair& pairing, const Gap& gap, const Matrix3& R_PH,
+                   double speed_now, double t) const {
     double along = pairing.tracker.parts_apart().empty() ? 0.0 : kNever;
     for (const PartsApart& parts : pairing.tracker.parts_apart()) {
       const Vector3 direction_H = R_PH.transpose() * parts.direction;

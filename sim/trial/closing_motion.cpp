@@ -18,8 +18,8 @@ int first_joint_of_finger(const Robot& hand, int joint) {
 // Axes that are parallel up to this sine turn each other by next to nothing.
 constexpr double kParallel = 1e-9;
 
-// The largest value >= 0 of lever . (p - c) over the points p of a part of a link, where c is on the
-// axis of joint k of those before it.
+// The largest value >= 0 of lever . (p - c) over the points p of a part of a link, where c is on
+// the axis of joint k of those before it.
 double moment_of(const ConvexPoints& part, const ClosingLink& placed, std::size_t k,
                  const Vector3& lever) {
   const double length = lever.norm();
@@ -106,8 +106,8 @@ void ClosingMotion::place(const CompiledLink& link, double t, ClosingLink& place
 
 // A turn by the angle v t about the axis a carries a point p along e by v t (a x (p - c)) . e at
 // first, c being on the axis. It is less than that by no more than what the turn itself, and
-// the joints behind it, change of p - c: to second order. Only the part of e across the axis counts,
-// as long as the axis keeps its direction.
+// the joints behind it, change of p - c: to second order. Only the part of e across the axis
+// counts, as long as the axis keeps its direction.
 TravelBound ClosingMotion::travel_along(const CompiledLink& link, const ConvexPoints& part,
                                         const ClosingLink& placed, const Vector3& direction_H,
                                         double t) const {

@@ -83,7 +83,7 @@ class GapTracker {
   const ProximityMesh* a_ = nullptr;
   const ProximityMesh* b_ = nullptr;
   int most_pairs_ = kMostListedPairs;
-  double list_below_ = 0.0;  // gaps above this are not worth a list of near pairs [m]
+  double list_below_ = 0.0;        // gaps above this are not worth a list of near pairs [m]
   std::vector<PartsApart> parts_;  // per pair of convex parts
   bool apart_ = false;             // the last query was answered by them
   bool parts_meet_ = false;  // convex parts have overlapped: their distance is no use any more

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "sim/base/gravity.h"
@@ -134,15 +135,47 @@ Vector3 given_down(const CompiledScene& scene) {
   return scene.scene.object.X_WO.linear().transpose() * -Vector3::UnitZ();
 }
 
-// The contacts of one grasp and the weight on them.
+// The torques of several hands, each loaded by its own contacts, which follow one another.
+HandTorques joined_torques(std::span<const HoldingHand> hands) {
+  HandTorques all;
+  for (const HoldingHand& hand : hands) {
+    const HandTorques own = hand_torques(hand.scene, hand.trial);
+    const auto beside = [](const Eigen::MatrixXd& before, const Eigen::MatrixXd& added) {
+      Eigen::MatrixXd both =
+          Eigen::MatrixXd::Zero(before.rows() + added.rows(), before.cols() + added.cols());
+      both.topLeftCorner(before.rows(), before.cols()) = before;
+      both.bottomRightCorner(added.rows(), added.cols()) = added;
+      return both;
+    };
+    all.jacobian = beside(all.jacobian, own.jacobian);
+    all.spin = beside(all.spin, own.spin);
+    Eigen::VectorXd limits(all.limits.size() + own.limits.size());
+    limits << all.limits, own.limits;
+    all.limits = std::move(limits);
+  }
+  return all;
+}
+
+std::vector<Contact> joined_contacts(std::span<const HoldingHand> hands) {
+  std::vector<Contact> all;
+  for (const HoldingHand& hand : hands) {
+    for (const GraspContact& contact : hand.trial.contacts) all.push_back(contact.point);
+  }
+  return all;
+}
+
+// The contacts of one grasp, or of several hands, and the weight on them.
 class Weighed {
  public:
-  Weighed(const CompiledScene& scene, const Trial& trial, const Perturbation& perturbation = {})
-      : frame_(scene.wrench_frame),
-        weight_(scene.scene.object.mass * kStandardGravity),
+  explicit Weighed(std::span<const HoldingHand> hands, const Perturbation& perturbation = {})
+      : frame_(hands.front().scene.wrench_frame),
+        weight_(hands.front().scene.scene.object.mass * kStandardGravity),
         center_of_mass_O_(perturbation.center_of_mass_O),
-        contacts_(with_friction_of(perturbation, contacts_of(trial.contacts))),
-        hand_(hand_torques(scene, trial)) {}
+        contacts_(with_friction_of(perturbation, joined_contacts(hands))),
+        hand_(joined_torques(hands)) {}
+
+  Weighed(const CompiledScene& scene, const Trial& trial, const Perturbation& perturbation = {})
+      : Weighed(std::array<HoldingHand, 1>{{{scene, trial}}}, perturbation) {}
 
   // The least sum of normal forces; infinite where nothing balances the weight.
   double least_sum(const Vector3& down_O) const {
@@ -287,6 +320,10 @@ PayloadMargin payload_margin(const CompiledScene& scene, const Trial& trial,
 
 double weight_strength(const CompiledScene& scene, const Trial& trial) {
   return Weighed(scene, trial).strength(given_down(scene));
+}
+
+double weight_strength(std::span<const HoldingHand> hands) {
+  return Weighed(hands).strength(given_down(hands.front().scene));
 }
 
 bool can_lift(const CompiledScene& scene, const Trial& trial, const Perturbation& perturbation) {

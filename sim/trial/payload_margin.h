@@ -2,6 +2,8 @@
 // has to squeeze for that.
 #pragma once
 
+#include <span>
+
 #include "sim/base/pose.h"
 #include "sim/base/run_context.h"
 #include "sim/trial/uncertainty.h"
@@ -48,6 +50,16 @@ PayloadMargin payload_margin(const CompiledScene& scene, const Trial& trial,
 
 // How many times the weight the drives hold as the object lies (LoadCase::strength).
 double weight_strength(const CompiledScene& scene, const Trial& trial);
+
+// One of several hands that hold the object, each in a scene of its own of it.
+struct HoldingHand {
+  const CompiledScene& scene;
+  const Trial& trial;
+};
+
+// How many times the weight the drives of all hands together hold, the object as it lies in the
+// first scene (LoadCase::strength). At least one hand; none with suction cups.
+double weight_strength(std::span<const HoldingHand> hands);
 
 // Whether the drives hold the weight as the object lies, with friction and the centre of mass
 // disturbed.

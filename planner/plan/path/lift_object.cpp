@@ -39,6 +39,24 @@ FollowedLine follow_inside(CompiledArm& arm, const Pose& X_OH_from, const Pose& 
 
 }  // namespace
 
+std::vector<DofValues> lift_postures(const HeldObject& held, CompiledArm& arm, double height,
+                                     const ReachOptions& reach, const RunContext& context) {
+  const Vector3 up_O = held.scene.scene.object.X_WO.linear().transpose() * Vector3::UnitZ();
+  const Pose& X_OH = held.trial.X_OH;
+  FollowedLine line =
+      follow_inside(arm, X_OH, translation(height * up_O) * X_OH, held.arm_dofs, reach, context);
+  if (line.end != LineEnd::followed) return {};
+  return std::move(line.postures);
+}
+
+bool lift_blocked(const CompiledArm& arm, const TimedPath& lift, const MotionCheckOptions& motion,
+                  const RunContext& context) {
+  const MotionLines all = motion_lines(lift, 0, lift.times.size() - 1);
+  std::vector<ArmPair> pairs = arm.arm_pairs;
+  pairs.insert(pairs.end(), arm.hand_pairs.begin(), arm.hand_pairs.end());
+  return first_blocked_leaving(arm, pairs, all.lines, all.sway, motion, context).has_value();
+}
+
 LiftedPath lift_object(const HeldObject& held, const LiftOptions& options,
                        const ReachOptions& reach, const TransferOptions& transfer,
                        const JointLimits& limits, const TimePathOptions& timing,
@@ -46,34 +64,23 @@ LiftedPath lift_object(const HeldObject& held, const LiftOptions& options,
   require_settings(options);
   LiftedPath path;
   if (options.height == 0.0) return path;
-  const Pose& X_WO = held.scene.scene.object.X_WO;
-  const Vector3 up_O = X_WO.linear().transpose() * Vector3::UnitZ();
-  const Pose& X_OH = held.trial.X_OH;
-  CompiledArm arm = arm_with_object(held.scene, X_OH);
-  const FollowedLine line = follow_inside(arm, X_OH, translation(options.height * up_O) * X_OH,
-                                          held.arm_dofs, reach, context);
+  CompiledArm arm = arm_with_object(held.scene, held.trial.X_OH);
+  const std::vector<DofValues> line = lift_postures(held, arm, options.height, reach, context);
   path.end = LiftEnd::lift_unreachable;
-  if (line.end != LineEnd::followed) return path;
+  if (line.empty()) return path;
   JointPath postures;
-  for (const DofValues& dofs : line.postures) {
-    postures.push_back(arm_joints(arm, dofs, held.trial.joints));
-  }
+  for (const DofValues& dofs : line) postures.push_back(arm_joints(arm, dofs, held.trial.joints));
   TimedPath lift = time_path(postures, PathKind::smooth, limits, timing);
-  const MotionLines motion = motion_lines(lift, 0, lift.times.size() - 1);
-  std::vector<ArmPair> pairs = arm.arm_pairs;
-  pairs.insert(pairs.end(), arm.hand_pairs.begin(), arm.hand_pairs.end());
   path.end = LiftEnd::lift_blocked;
-  if (first_blocked_leaving(arm, pairs, motion.lines, motion.sway, transfer.motion, context)) {
-    return path;
-  }
+  if (lift_blocked(arm, lift, transfer.motion, context)) return path;
   path.lift = std::move(lift);
   path.end = LiftEnd::complete;
   if (!options.retreat) return path;
   // The hand stays closed, so only the degrees of freedom that carry it go back to the start.
-  DofValues home = line.postures.back();
+  DofValues home = line.back();
   for (const int d : arm.dofs) home[index(d)] = arm.start[index(d)];
   const std::vector<DofValues> way =
-      plan_transfer(arm, {line.postures.back(), home, held.trial.joints}, transfer, context);
+      plan_transfer(arm, {line.back(), home, held.trial.joints}, transfer, context);
   if (way.empty()) {
     path.end = LiftEnd::retreat_blocked;
     return path;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "sim/base/named_enum.h"
 #include "sim/base/run_context.h"
@@ -14,7 +15,9 @@
 
 namespace prehend {
 
+struct CompiledArm;
 struct CompiledScene;
+struct MotionCheckOptions;
 struct ReachOptions;
 struct TransferOptions;
 struct Trial;
@@ -58,6 +61,17 @@ struct HeldObject {
   const Trial& trial;
   const DofValues& arm_dofs;
 };
+
+// The postures in which `arm` (arm_with_object) moves the object straight up, the first being that
+// of the grasp; empty where it cannot. Throws Cancelled.
+std::vector<DofValues> lift_postures(const HeldObject& held, CompiledArm& arm, double height,
+                                     const ReachOptions& reach, const RunContext& context = {});
+
+// Whether something collides while `arm` (arm_with_object) lifts, or that could not be ruled out.
+// At the beginning the object and the hand may touch what they stand on or beside. Throws
+// Cancelled.
+bool lift_blocked(const CompiledArm& arm, const TimedPath& lift, const MotionCheckOptions& motion,
+                  const RunContext& context = {});
 
 // The motions after the grasp, as far as they were found, each from rest to rest.
 struct LiftedPath {

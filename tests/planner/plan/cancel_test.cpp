@@ -30,6 +30,7 @@ PlanOptions few_candidates(int count) {
   PlanOptions options;
   options.search.trials = count;
   options.search.local_fraction = 0.0;
+  options.search.settled = 1.0;
   return options;
 }
 

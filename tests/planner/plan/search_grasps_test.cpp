@@ -2,7 +2,9 @@
 #include "planner/plan/search_grasps.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -152,6 +154,28 @@ TEST(SearchGrasps, EndsOnceEnoughGraspsHold) {
     EXPECT_LT(stable_in(some.trials.size() - 32), enough);
     expect_same(some, all, some.trials.size());
   }
+}
+
+// The beginning of the whole search, up to the batch after which the best ten grasps had not become
+// better by 1 % for as many trials as the setting says.
+TEST(SearchGrasps, EndsWhenTheBestGetNoBetter) {
+  const Searched mug = mug_to_search();
+  const SearchResult all = mug.search({.trials = 400, .settled = 1.0});
+  const SearchResult some = mug.search({.trials = 400, .settled = 0.1}, {.threads = 2});
+  EXPECT_EQ(some.end, SearchEnd::settled);
+  ASSERT_LT(some.trials.size(), all.trials.size());
+  expect_same(some, all, some.trials.size());
+  const auto best_ten = [&](std::size_t count) {
+    std::vector<double> epsilons(10, 0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (all.trials[i].outcome == Outcome::stable) {
+        epsilons.push_back(all.trials[i].epsilon.lower);
+      }
+    }
+    std::sort(epsilons.begin(), epsilons.end(), std::greater<>());
+    return std::accumulate(epsilons.begin(), epsilons.begin() + 10, 0.0);
+  };
+  EXPECT_LE(best_ten(some.trials.size()), 1.01 * best_ten(some.trials.size() - 64));
 }
 
 // The knuckles of the open Robotiq 2F-85 meet the upper edges of a wide box before its pads do: it
