@@ -1,4 +1,6 @@
 #include <array>
+#include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <utility>
@@ -20,6 +22,7 @@
 #include "sim/base/output_file.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/scene/scene_file.h"
+#include "sim/scene/scene_library.h"
 
 namespace prehend {
 namespace {

@@ -22,8 +22,8 @@ struct CommonOptions {
   std::filesystem::path out = "out";
   int threads = 0;  // 0: all processors
   std::uint64_t seed = 1;
-  std::string accuracy = "standard";    // a name, or a file of settings
-  std::optional<ContactKind> contacts;  // else as the accuracy says
+  std::string accuracy = "standard";         // a name, or a file of settings
+  std::optional<ContactKind> contacts = {};  // else as the accuracy says
   bool no_report = false;
   bool progress = false;  // lines on stderr that say how far the run is
 };

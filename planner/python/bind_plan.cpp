@@ -10,6 +10,7 @@
 #include "planner/python/results.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/json/json_field.h"
 #include "sim/manipulation/test_procedure_file.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/scene/reach/reach.h"
@@ -120,6 +121,24 @@ PlanHandle shake_in_python(const PlanHandle& plan, const std::string& procedure,
     if (rank) rank_by_shake(result);
   });
   return {plan.scene, std::make_shared<const PlanResult>(std::move(result)), plan.record};
+}
+
+// What a file says of its scene, for load_scene.
+py::dict scene_of_grasps(const std::string& file) {
+  const SceneReference asked = read_scene_reference(JsonFile(file));
+  py::dict fields;
+  fields["scene"] = asked.scene;
+  fields["hand"] = asked.hand;
+  fields["unit"] = asked.unit;
+  fields["repair"] = asked.repair;
+  fields["object"] = asked.choice.object;
+  return fields;
+}
+
+PlanHandle load_grasps_in_python(const CompiledHandle& scene, const std::string& file) {
+  GraspFile read = read_grasps(JsonFile(file), *scene.scene);
+  return {scene.scene, std::make_shared<const PlanResult>(std::move(read.result)),
+          std::move(read.record)};
 }
 
 py::dict run_trial_in_python(const CompiledHandle& scene, const py::dict& fields,
@@ -239,6 +258,8 @@ void bind_plan(py::module_& core) {
   core.def("evaluate", &evaluate_in_python);
   core.def("with_grasps", &with_grasps);
   core.def("shake_grasps", &shake_in_python);
+  core.def("scene_of_grasps", &scene_of_grasps);
+  core.def("load_grasps", &load_grasps_in_python);
   core.def("library_test_procedures", &library_test_procedure_names);
   core.def("run_trial", &run_trial_in_python);
   core.def("decompose", &decompose_in_python);

@@ -4,7 +4,7 @@
 
 namespace prehend::python {
 
-void set_fields(const py::object& options, const py::kwargs& given) {
+void set_fields(const py::object& options, const py::dict& given) {
   const py::object type = py::type::of(options);
   const py::tuple fields = type.attr("_fields");
   for (const auto& [name, value] : given) {
@@ -16,6 +16,14 @@ void set_fields(const py::object& options, const py::kwargs& given) {
     }
     py::setattr(options, name, value);
   }
+}
+
+py::dict fields_of(const py::object& options) {
+  py::dict values;
+  for (const py::handle name : py::tuple(py::type::of(options).attr("_fields"))) {
+    values[name] = py::getattr(options, name);
+  }
+  return values;
 }
 
 std::string describe_fields(const py::object& options) {

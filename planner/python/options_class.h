@@ -21,7 +21,10 @@ namespace prehend::python {
 namespace py = pybind11;
 
 // Sets each keyword as the attribute of that name. Throws TypeError for a name that is not a field.
-void set_fields(const py::object& options, const py::kwargs& given);
+void set_fields(const py::object& options, const py::dict& given);
+
+// All that `_fields` of the class lists, by name.
+py::dict fields_of(const py::object& options);
 
 // "Name(field=value, ...)", with what `_fields` of the class lists.
 std::string describe_fields(const py::object& options);
@@ -150,6 +153,12 @@ py::class_<Options> settings_class(py::module_& module) {
   type.def("__repr__", [](const py::object& self) { return describe_fields(self); });
   type.def("__copy__", [](const Options& self) { return Options(self); });
   type.def("__deepcopy__", [](const Options& self, const py::dict&) { return Options(self); });
+  type.def(py::pickle([](const py::object& self) { return fields_of(self); },
+                      [](const py::dict& fields) {
+                        Options options;
+                        set_fields(py::cast(&options, py::return_value_policy::reference), fields);
+                        return options;
+                      }));
   type.attr("_fields") = py::tuple();
   type.attr("__annotations__") = py::dict();
   int number = 0;

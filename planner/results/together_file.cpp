@@ -7,7 +7,7 @@
 
 #include "planner/results/json_grasp.h"
 #include "planner/results/json_trajectory.h"
-#include "sim/base/index.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 namespace {

@@ -22,6 +22,7 @@
 #include "sim/scene/json_mass.h"
 #include "sim/scene/json_primitive.h"
 #include "sim/scene/json_region.h"
+#include "sim/scene/json_stands_on.h"
 #include "sim/scene/json_surface.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/moveit_scene.h"
@@ -204,9 +205,11 @@ bool says_where_mass_is(const JsonField& field) {
 // The object with its regions, and notes about it.
 void read_object(const JsonField& field, const SceneSource& source, const NamedMaterials& named,
                  ShapeBudget& budget, Scene& scene) {
-  field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "mass",
-                    "density", "center_of_mass", "parts", "pose", "primitives", "repair",
-                    "restitution", "keep_out", "preferred", "porous", "surfaces"});
+  field.allow_only({"name",     "mesh",      "unit",       "generate", "triangles",
+                    "geometry", "material",  "mass",       "density",  "center_of_mass",
+                    "parts",    "pose",      "primitives", "repair",   "restitution",
+                    "keep_out", "preferred", "porous",     "surfaces", "friction",
+                    "stands_on"});
   if (field.has("keep_out")) scene.keep_out = read_regions(field["keep_out"]);
   if (field.has("preferred")) scene.preferred = read_regions(field["preferred"]);
   if (field.has("porous")) scene.porous = read_regions(field["porous"]);
@@ -291,6 +294,24 @@ void read_friction(const JsonField& list, Scene& scene) {
   }
 }
 
+// Of the object to grasp, with whatever touches it.
+void read_object_friction(const JsonField& root, Scene& scene) {
+  const auto read = [&](const JsonField& object) {
+    if (!object.has("friction")) return;
+    const JsonField field = object["friction"];
+    const double friction = field.number();
+    with_field_errors(field, [&] {
+      set_object_friction(scene, friction);
+      return 0;
+    });
+  };
+  if (root.has("object")) read(root["object"]);
+  if (!root.has("objects")) return;
+  for (const JsonField& object : root["objects"].items()) {
+    if (object["name"].text() == scene.object.name) read(object);
+  }
+}
+
 void read_compliant_depths(const JsonField& object, CompliantDepths& depths) {
   for (const std::string& name : object.keys()) {
     const JsonField field = object[name];
@@ -350,7 +371,7 @@ std::vector<double> read_start(const JsonField& robot, Platform& platform) {
 // `hand` replaces the platform's own; empty: as it is.
 Carrier read_carrier(const JsonField& field, const std::string& hand,
                      const ForeignRobotOptions& foreign) {
-  field.allow_only({"platform", "hand", "pose", "start", "limits"});
+  field.allow_only({"platform", "hand", "pose", "start", "limits", "stands_on"});
   Carrier carrier = with_field_errors(field["platform"], [&] {
     return find_carrier(read_robot_source(field["platform"]), foreign);
   });
@@ -543,9 +564,11 @@ Scene read_scene(const JsonField& root, const SceneSource& source, SeenOnce& see
       scene.obstacles.push_back(read_obstacle(field, named, budget));
     }
   }
+  put_down_all(root, scene);
   raise_sunk_object(scene);
   note_standing_base(scene);
   if (root.has("friction")) read_friction(root["friction"], scene);
+  read_object_friction(root, scene);
   if (root.has("compliant_depths"))
     read_compliant_depths(root["compliant_depths"], scene.compliant_depths);
   if (root.has("link_surfaces")) {

@@ -6,6 +6,7 @@ import gc
 import json
 import os
 import pathlib
+import pickle
 import resource
 import signal
 import subprocess
@@ -694,6 +695,14 @@ class Errors(unittest.TestCase):
         twin.paths = prehend.options.GraspPathOptions(alternatives=2)
         self.assertEqual(twin.paths.alternatives, 2)
         self.assertIn("RankOptions(top=3, by='epsilon', pool=3.0, same_distance=0.01", repr(twin))
+
+    def test_survive_a_pickle_with_all_that_is_nested(self):
+        options = prehend.plan_options("fine")
+        options.trial.contacts = "hard"
+        options.paths = prehend.options.GraspPathOptions(alternatives=2)
+        twin = pickle.loads(pickle.dumps(options))
+        self.assertEqual(repr(twin), repr(options))
+        self.assertEqual(twin.paths.alternatives, 2)
 
 
 class Views(unittest.TestCase):

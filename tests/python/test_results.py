@@ -107,6 +107,30 @@ class Native(unittest.TestCase):
         self.assertEqual(set(prehend.plan("mug", few(), top=1).contacts[0].seen), {None})
 
 
+class Loaded(unittest.TestCase):
+    """Grasps of a file are the grasps that were written."""
+
+    def test_grasps_of_a_file_are_those_that_were_written(self):
+        result = prehend.plan("mug", few(), top=3)
+        with tempfile.TemporaryDirectory() as folder:
+            prehend.write_grasps(result, folder, report=False)
+            file = pathlib.Path(folder) / "grasps.json"
+            for again in (planning.load_grasps(file), planning.load_grasps(file, result.scene)):
+                self.assertEqual(again.scene.hand.name, result.scene.hand.name)
+                self.assertEqual(len(again), 3)
+                np.testing.assert_array_equal(again.poses, result.poses)
+                np.testing.assert_array_equal(again.epsilon, result.epsilon)
+                self.assertEqual(again.outcomes, result.outcomes)
+                self.assertEqual(again[0].contacts[0].link, result[0].contacts[0].link)
+
+    def test_a_file_that_names_no_scene_needs_one(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "grasps.json"
+            file.write_text('{"grasps": []}')
+            with self.assertRaisesRegex(prehend.InputError, "names no scene"):
+                planning.load_grasps(file)
+
+
 class Notebook(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

@@ -46,7 +46,8 @@ bool are_apart(const std::vector<PosedLink>& a, const std::vector<PosedLink>& b,
       if ((other.X_WL * other.link->mesh.ball_center() - center_W).norm() > reach) continue;
       const Pose X_AB = one.X_WL.inverse() * other.X_WL;
       if (bodies_overlap(*one.link, *other.link, X_AB)) return false;
-      const Gap gap = find_gap(one.link->mesh, other.link->mesh, X_AB, {.cap = distance});
+      const Gap gap =
+          find_gap(one.link->mesh, other.link->mesh, X_AB, {.cap = distance, .hint = {}});
       if (gap.lower < distance) return false;
     }
   }

@@ -1,6 +1,8 @@
 #include "planner/plan/together/shared_paths.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -40,7 +42,9 @@ DofValues dofs_of(const CompiledArm& arm, const std::vector<double>& joints) {
 
 Trajectory part_of(const TimedPath& path, std::size_t first,
                    const std::vector<std::string>& joints) {
-  Trajectory part{.joints = joints, .times = path.times};
+  Trajectory part;
+  part.joints = joints;
+  part.times = path.times;
   const auto begin = static_cast<std::ptrdiff_t>(first);
   const auto end = begin + std::ssize(joints);
   for (const std::vector<double>& row : path.positions) {

@@ -27,7 +27,7 @@ from ._steps import (
     SurfaceDistances,
 )
 from .results import PlanResult, Trial
-from .scenes import MeshLike, PathLike, Scene, as_compiled, as_mesh
+from .scenes import MeshLike, PathLike, Scene, as_compiled, as_mesh, load_scene
 
 __all__ = [
     "AnyPlan",
@@ -45,6 +45,7 @@ __all__ = [
     "decompose",
     "evaluate",
     "library_test_procedures",
+    "load_grasps",
     "load_model",
     "plan",
     "plan_any",
@@ -262,6 +263,25 @@ def shake_grasps(
         call_options(threads, progress, cancellation, budget),
     )
     return PlanResult(core, result.scene)
+
+
+def load_grasps(file: PathLike, scene: Optional[AnyScene] = None) -> PlanResult:
+    """Reads a grasps.json, of the program or of write_grasps().
+
+    Args:
+        scene: the scene that the grasps are of; None: the one that the file names.
+
+    Raises:
+        InputError: that names the file, the grasp and the field, also where the file names no scene.
+    """
+    name = os.fsdecode(file)
+    if scene is None:
+        asked = _core.scene_of_grasps(name)
+        if not asked["scene"]:
+            raise InputError("names no scene: pass it as `scene`", field="scene", value=name)
+        scene = load_scene(asked.pop("scene"), **asked)
+    compiled = as_compiled(scene)
+    return PlanResult(_core.load_grasps(compiled, name), compiled)
 
 
 def library_test_procedures() -> List[str]:

@@ -19,7 +19,8 @@
 #define PREHEND_INLINE [[gnu::always_inline]] inline
 
 namespace prehend {
-namespace {
+// With a name, because members of MotionFilter::Lanes are of these types.
+namespace motion_lanes {
 
 constexpr std::size_t kPostures = 8;
 
@@ -320,7 +321,9 @@ struct LanePair {
   double motion = 0.0;
 };
 
-}  // namespace
+}  // namespace motion_lanes
+
+using namespace motion_lanes;  // NOLINT(google-build-using-namespace)
 
 class MotionFilter::Lanes {
  public:

@@ -64,6 +64,72 @@ TEST(SceneFile, KineticFrictionIsReadBesideTheStatic) {
   EXPECT_EQ(sliding.between(Material::wood, Material::wood), 0.5);
 }
 
+// Friction of the object, whatever touches it; the friction of pairs without it stays.
+TEST(SceneFile, AnObjectMayHaveAFrictionOfItsOwn) {
+  const Scene scene = load_scene(write(R"({"object": {"generate": "ball", "triangles": 300,
+      "material": "glass", "friction": 0.85}, "friction": [
+      {"between": ["glass", "rubber"], "static": 0.3}, {"between": ["wood", "rubber"], "static": 0.4}]})"));
+  for (const Material material : kAll<Material>) {
+    EXPECT_EQ(scene.friction.between(Material::glass, material), 0.85);
+  }
+  EXPECT_EQ(scene.friction.between(Material::wood, Material::rubber), 0.4);
+  const InputError refusal = test::refusal_of([&] {
+    load_scene(write(R"({"object": {"generate": "ball", "triangles": 300, "friction": -1}})"));
+  });
+  EXPECT_NE(std::string(refusal.what()).find("object.friction"), std::string::npos);
+}
+
+// A ball of 50 mm radius (mesh: inscribed) on a table, on a board between two, above a shelf, and
+// turned boxes: the lowest point is 0.1 mm above what it stands on.
+TEST(SceneFile, BodiesArePutDownOnWhatTheyStandOn) {
+  const std::string shelf = R"("obstacles": [{"name": "shelf", "geometry": [
+      {"shape": "box", "size": [1, 1, 0.02], "pose": [{"translate": [0, 0, 0.39]}]},
+      {"shape": "box", "size": [1, 1, 0.02], "pose": [{"translate": [0, 0, 0.79]}]}]}])";
+  const auto lowest = [&](const std::string& pose) {
+    const Scene scene = load_scene(write(R"({"object": {"geometry": [{"shape": "box",
+        "size": [0.1, 0.06, 0.04]}], "stands_on": "shelf", "pose": )" +
+                                         pose + "}, " + shelf + "}"));
+    double z = 1e9;
+    for (const Vector3& p : scene.object.mesh.vertices) {
+      z = std::min(z, (scene.object.X_WO * p).z());
+    }
+    return z;
+  };
+  EXPECT_NEAR(lowest(R"({"position": [0.1, 0.2, 2]})"), 0.8001, 2e-5);
+  EXPECT_NEAR(lowest(R"({"position": [0.1, 0.2, 0.6]})"), 0.4001, 2e-5);
+  EXPECT_NEAR(lowest(R"({"position": [0.1, 0.2, 0]})"), 0.8001, 2e-5);
+  EXPECT_NEAR(lowest(R"({"position": [0.1, 0.2, 0.79]})"), 0.8001, 2e-5);
+  EXPECT_NEAR(lowest(R"({"position": [0, 0, 2], "quaternion_wxyz": [0.8, 0.4, 0.4, 0.2]})"), 0.8001,
+              2e-5);
+  for (const auto& [where, what] :
+       {std::pair(R"("shelf", "pose": {"position": [5, 0, 2]})", "would fall past shelf"),
+        std::pair(R"("shelv")", "did you mean shelf")}) {
+    const InputError refusal = test::refusal_of([&, where = where] {
+      load_scene(
+          write(std::string(R"({"object": {"generate": "ball", "triangles": 300, "stands_on": )") +
+                where + "}, " + shelf + "}"));
+    });
+    EXPECT_NE(std::string(refusal.what()).find("object.stands_on"), std::string::npos);
+    EXPECT_NE(std::string(refusal.what()).find(what), std::string::npos) << refusal.what();
+  }
+}
+
+TEST(SceneFile, ARobotIsPutDownOnWhatItStandsOn) {
+  const Scene scene = load_scene(write(R"({"object": {"generate": "ball", "triangles": 300,
+      "pose": {"position": [0.5, 0, 1]}}, "robot": {"platform": "panda", "stands_on": "table",
+      "pose": {"position": [0.1, 0, 0]}}, "obstacles": [
+      {"name": "table", "geometry": [{"shape": "box", "size": [1, 1, 0.1], "pose":
+      [{"translate": [0, 0, 0.65]}]}]}]})"));
+  const Link& base = scene.carrier->platform.robots[0].robot.links[0];
+  ASSERT_LT(base.joint, 0);
+  double z = 1e9;
+  for (const Vector3& p : base.mesh.vertices) {
+    z = std::min(z, (scene.carrier->X_WB * scene.carrier->platform.robots[0].X_MR * p).z());
+  }
+  EXPECT_NEAR(z, 0.7001, 2e-5);
+  EXPECT_DOUBLE_EQ(scene.carrier->X_WB.translation().x(), 0.1);
+}
+
 TEST(SceneFile, BodiesMayBounce) {
   const Scene scene = load_scene(write(R"({"object": {"generate": "ball", "triangles": 300,
       "restitution": 0.8}, "obstacles": [
