@@ -23,7 +23,9 @@ void put_down(const JsonField& body, const TriangleMesh& mesh,
     known.push_back(obstacle.name);
     if (obstacle.name != name) continue;
     const std::optional<Pose> down = lowered_onto(mesh, X_WB, obstacle.mesh, obstacle.X_WB);
-    if (!down) field.fail("it would fall past " + name + ": move it over that in \"pose\"");
+    if (!down)
+      field.fail("must have " + name +
+                 " below the body: it would fall past that; move it in \"pose\"");
     X_WB = *down;
     return;
   }

@@ -11,6 +11,9 @@ namespace prehend {
 namespace {
 
 constexpr double kGap = 1e-4;  // that a body keeps from what it stands on [m]
+// Steps are short only beside a wall that is hardly farther away than kGap. A body that slides down
+// one for so many of them counts as falling past.
+constexpr int kMostSteps = 10000;
 
 CollisionBody solid_body(const TriangleMesh& mesh) {
   return make_collision_body("", mesh, check_mesh(mesh).solid());
@@ -33,7 +36,7 @@ double highest(const TriangleMesh& mesh, const Pose& X_WM) {
 std::optional<Pose> lowered(const CollisionBody& body, Pose X_WB, const CollisionBody& support,
                             const Pose& X_WS) {
   const double bottom = lowest(support.mesh.mesh(), X_WS);
-  while (highest(body.mesh.mesh(), X_WB) > bottom) {
+  for (int step = 0; step < kMostSteps && highest(body.mesh.mesh(), X_WB) > bottom; ++step) {
     const Gap gap = find_gap(support.mesh, body.mesh, X_WS.inverse() * X_WB,
                              {.relative_error = 1e-2, .hint = {}});
     if (gap.upper <= 1.1 * kGap) return X_WB;

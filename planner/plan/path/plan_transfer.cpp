@@ -31,7 +31,7 @@ constexpr double kLongestEdge = 0.8;
 // Iterations of the first of several searches by rrt_connect, and how many searches there are at
 // most.
 constexpr int kFirstRound = 200;
-constexpr int kMostRounds = 15;
+constexpr int kMostRounds = 24;
 
 // Motions that keep this distance [m] are found faster, as is proven in fewer steps. Those from and
 // to the ends of the path may be closer (MotionCheckOptions::tightest), as the ends often are.

@@ -49,7 +49,7 @@ void for_each_setting(Options& options, const Visit& visit) {
   auto& [planner, max_iterations, simplify_steps, corner_deviation, seed, motion] = options;
   visit("planner", planner, "The sampling-based planner: fast ways, many ways or short ways.");
   visit("max_iterations", max_iterations, kCountAbove0, "",
-        "Iterations after which a search ends; rrt_connect searches up to 15 times.");
+        "Iterations after which a search ends; rrt_connect searches up to 24 times.");
   visit("simplify_steps", simplify_steps, kCount, "",
         "Attempts to shorten the path that was found.");
   visit("corner_deviation", corner_deviation, kDistance, "m",

@@ -102,7 +102,7 @@ TEST(SceneFile, BodiesArePutDownOnWhatTheyStandOn) {
   EXPECT_NEAR(lowest(R"({"position": [0, 0, 2], "quaternion_wxyz": [0.8, 0.4, 0.4, 0.2]})"), 0.8001,
               2e-5);
   for (const auto& [where, what] :
-       {std::pair(R"("shelf", "pose": {"position": [5, 0, 2]})", "would fall past shelf"),
+       {std::pair(R"("shelf", "pose": {"position": [5, 0, 2]})", "must have shelf below"),
         std::pair(R"("shelv")", "did you mean shelf")}) {
     const InputError refusal = test::refusal_of([&, where = where] {
       load_scene(
