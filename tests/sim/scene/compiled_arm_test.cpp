@@ -292,7 +292,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadArm{"NoPlatform", "/robot", "{}", "robot.platform: must be given"},
         BadArm{
             "UnknownField", "/robot/speed", "1",
-            "robot.speed: unknown field, known here are platform, hand, pose, start, limits (1)"}),
+            "robot.speed: unknown field, known here are platform, hand, pose, start, limits, stands_on (1)"}),
     [](const auto& bad) { return std::string(bad.param.label); });
 
 }  // namespace
