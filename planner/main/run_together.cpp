@@ -136,6 +136,7 @@ class TogetherProgram {
         hands_{load_hand(command, command.first), load_hand(command, command.second)} {}
 
   int run() {
+    require_pair(hands_[0].scene, hands_[1].scene, command_.path);
     interrupts_.end_at_once("nothing is written");
     ProgressBar bar(command_.common.progress);
     const RunContext context{command_.common.threads, interrupts_.cancellation(),

@@ -21,10 +21,12 @@
 
 namespace prehend {
 
-using Floats8 = float __attribute__((vector_size(32)));
-using Ints8 = int __attribute__((vector_size(32)));
-using Longs4 = long long __attribute__((vector_size(32)));
-using Doubles4 = double __attribute__((vector_size(32)));
+// The alignment is stated: gcc takes that of the vectors that the processor of the build has, also
+// for what functions for another one load and store. As arguments of templates they lose it.
+using Floats8 = float __attribute__((vector_size(32), aligned(32)));
+using Ints8 = int __attribute__((vector_size(32), aligned(32)));
+using Longs4 = long long __attribute__((vector_size(32), aligned(32)));
+using Doubles4 = double __attribute__((vector_size(32), aligned(32)));
 
 // Whether this processor has AVX2. For tests of what processors without compute, the environment
 // variable PREHEND_WITHOUT_AVX2 hides it.

@@ -13,6 +13,12 @@
 namespace prehend {
 namespace {
 
+// The largest sums of four columns, and in which blocks they are.
+struct LargestSums {
+  Doubles4 most;
+  Longs4 at;
+};
+
 // The number of the column whose product with the direction is largest; of equal ones the first.
 // Each lane sums over the coordinates in the same order, and keeps the largest sum that it has seen
 // and in which block.
@@ -22,10 +28,8 @@ template <typename Block>
   constexpr std::size_t kLanes = 4;
   constexpr std::size_t kParts = sizeof(Block) / sizeof(double) / (6 * kLanes);
   const Doubles4 zero = {};
-  std::array<Doubles4, kParts> most;
-  std::array<Longs4, kParts> at;
-  most.fill(zero - std::numeric_limits<double>::infinity());
-  at.fill(Longs4{});
+  std::array<LargestSums, kParts> found;
+  found.fill({zero - std::numeric_limits<double>::infinity(), Longs4{}});
   Longs4 number = {};  // of the block
   for (const Block& block : blocks) {
     for (std::size_t part = 0; part < kParts; ++part) {
@@ -35,17 +39,17 @@ template <typename Block>
         std::memcpy(&coordinates, block.coordinate[i] + kLanes * part, sizeof(coordinates));
         sum += direction[i] * coordinates;
       }
-      const Longs4 farther = sum > most[part];
-      at[part] = farther ? number : at[part];
-      most[part] = farther ? sum : most[part];
+      const Longs4 farther = sum > found[part].most;
+      found[part].at = farther ? number : found[part].at;
+      found[part].most = farther ? sum : found[part].most;
     }
     number += 1;
   }
   std::size_t best = 0;
   double largest = -std::numeric_limits<double>::infinity();
   for (std::size_t lane = 0; lane < kParts * kLanes; ++lane) {
-    const double sum = most[lane / kLanes][lane % kLanes];
-    const auto block = static_cast<std::size_t>(at[lane / kLanes][lane % kLanes]);
+    const double sum = found[lane / kLanes].most[lane % kLanes];
+    const auto block = static_cast<std::size_t>(found[lane / kLanes].at[lane % kLanes]);
     const std::size_t column = block * kParts * kLanes + lane;
     if (sum < largest || (sum == largest && column > best)) continue;
     largest = sum;

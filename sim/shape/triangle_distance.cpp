@@ -86,13 +86,24 @@ struct LaneVector {
 // The three edges of a triangle in lanes, by start and vector; the last edge fills up the lanes.
 constexpr std::size_t kEdges = 4;
 
+// Types as members: a template would forget how lanes are aligned.
+struct OneDouble {
+  using Type = double;
+};
+struct FourDoubles {
+  using Type = Doubles4;
+};
+
 // The parameters of the nearest points of edges p + s d and q + t e, 0 <= s, t <= 1, from the
 // products of r = p - q, d and e. Ericson 2005, section 5.1.9: the feet of the common
 // perpendicular, clamped to the first edge, then to the second, then to the first again. An edge
 // without length is a point: its parameter is 0, as the numerator is. The denominator is 0 for
-// parallel edges, for which any place on the first one will do. `Number`: double, or lanes of it.
-template <typename Number>
+// parallel edges, for which any place on the first one will do. `Numbers`: OneDouble,
+// or FourDoubles.
+template <typename Numbers>
 struct EdgeParameters {
+  using Number = typename Numbers::Type;
+
   Number s;
   Number t;
 
@@ -125,7 +136,8 @@ NearestPoints nearest_on_edges(const Corners& u, std::size_t i, const Corners& v
   const Vector3 d = u[(i + 1) % 3] - u[i];
   const Vector3 e = v[(k + 1) % 3] - v[k];
   const Vector3 r = u[i] - v[k];
-  const EdgeParameters<double> at(d.squaredNorm(), e.squaredNorm(), d.dot(e), d.dot(r), e.dot(r));
+  const EdgeParameters<OneDouble> at(d.squaredNorm(), e.squaredNorm(), d.dot(e), d.dot(r),
+                                     e.dot(r));
   const Vector3 on_u = u[i] + at.s * d;
   const Vector3 on_v = v[k] + at.t * e;
   return {(on_u - on_v).norm(), on_u, on_v};
@@ -156,9 +168,9 @@ NearestPoints nearest_on_edges(const Corners& u, std::size_t i, const Corners& v
     const double d_z = to.z() - from.z();
     const Doubles4 dd = zero + (d_x * d_x + d_y * d_y + d_z * d_z);
     const LaneVector r{from.x() - q.x, from.y() - q.y, from.z() - q.z};
-    const EdgeParameters<Doubles4> at(dd, ee, d_x * e.x + d_y * e.y + d_z * e.z,
-                                      d_x * r.x + d_y * r.y + d_z * r.z,
-                                      e.x * r.x + e.y * r.y + e.z * r.z);
+    const EdgeParameters<FourDoubles> at(dd, ee, d_x * e.x + d_y * e.y + d_z * e.z,
+                                         d_x * r.x + d_y * r.y + d_z * r.z,
+                                         e.x * r.x + e.y * r.y + e.z * r.z);
     const LaneVector apart{r.x + at.s * d_x - at.t * e.x, r.y + at.s * d_y - at.t * e.y,
                            r.z + at.s * d_z - at.t * e.z};
     const Doubles4 sum = apart.x * apart.x + apart.y * apart.y + apart.z * apart.z;

@@ -16,9 +16,7 @@
 namespace prehend {
 namespace {
 
-void require_one_object(const std::array<HandPlan, 2>& plans) {
-  const GraspableBody& a = plans[0].scene.scene.object;
-  const GraspableBody& b = plans[1].scene.scene.object;
+void require_one_object(const GraspableBody& a, const GraspableBody& b) {
   const bool same = a.mesh.vertices == b.mesh.vertices && a.mesh.triangles == b.mesh.triangles &&
                     a.X_WO.isApprox(b.X_WO, 1e-9) && a.mass == b.mass &&
                     a.center_of_mass.isApprox(b.center_of_mass, 1e-9);
@@ -173,17 +171,21 @@ class Pairing {
 
 }  // namespace
 
+void require_pair(const CompiledScene& first, const CompiledScene& second, bool paths) {
+  require_one_object(first.scene.object, second.scene.object);
+  for (const CompiledScene* scene : {&first, &second}) {
+    require(!paths || scene->arm.has_value(),
+            {.field = scene->scene.name, .problem = "paths need an arm, and it has none"});
+    require(scene->scene.hand.hand->cups.empty(),
+            {.field = scene->scene.hand.name,
+             .problem = "suction cups do not hold together with another hand yet"});
+  }
+}
+
 TogetherResult hold_together(const std::array<HandPlan, 2>& plans, const TogetherOptions& options,
                              const RunContext& context) {
   require_settings(options);
-  require_one_object(plans);
-  for (const HandPlan& plan : plans) {
-    require(!options.paths || plan.scene.arm.has_value(),
-            {.field = plan.scene.scene.name, .problem = "paths need an arm, and it has none"});
-    require(plan.scene.scene.hand.hand->cups.empty(),
-            {.field = plan.scene.scene.hand.name,
-             .problem = "suction cups do not hold together with another hand yet"});
-  }
+  require_pair(plans[0].scene, plans[1].scene, options.paths.has_value());
   return Pairing(plans, options, context).run();
 }
 

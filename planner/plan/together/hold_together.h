@@ -63,11 +63,15 @@ struct TogetherResult {
   int lifted = 0;                   // and kept the object
 };
 
+// What hold_together asks of the two scenes, to be asked before they are planned. Throws InputError
+// where they have not the same object at the same place, where a hand has suction cups, and where
+// paths are wanted without an arm.
+void require_pair(const CompiledScene& first, const CompiledScene& second, bool paths);
+
 // Pairs the grasps of two hands whose robots do not meet and whose drives bear the weight together,
 // has the best of them lift the object, and plans the paths of those that do. Epsilon is that of
-// Ferrari and Canny over the contacts of both hands. The same on any number of threads. Throws
-// InputError where the scenes have not the same object at the same place, and where paths are
-// wanted without an arm; and Cancelled.
+// Ferrari and Canny over the contacts of both hands. The same on any number of threads. Throws as
+// require_pair, and Cancelled.
 TogetherResult hold_together(const std::array<HandPlan, 2>& plans,
                              const TogetherOptions& options = {}, const RunContext& context = {});
 
