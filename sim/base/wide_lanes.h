@@ -27,6 +27,7 @@ using Floats8 = float __attribute__((vector_size(32), aligned(32)));
 using Ints8 = int __attribute__((vector_size(32), aligned(32)));
 using Longs4 = long long __attribute__((vector_size(32), aligned(32)));
 using Doubles4 = double __attribute__((vector_size(32), aligned(32)));
+static_assert(alignof(Floats8) == 32 && alignof(Doubles4) == 32);
 
 // Whether this processor has AVX2. For tests of what processors without compute, the environment
 // variable PREHEND_WITHOUT_AVX2 hides it.
