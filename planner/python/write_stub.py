@@ -37,6 +37,7 @@ def class_stub(cls):
             "    ) -> None: ...",
             f"    def __copy__(self) -> {name}: ...",
             f"    def __deepcopy__(self, memo: Dict[Any, Any], /) -> {name}: ...",
+            "    def __setstate__(self, state: Dict[str, Any], /) -> None: ...",
             "",
             "",
         ]

@@ -492,6 +492,7 @@ class Kinematics(unittest.TestCase):
         scene = prehend.compile_scene(prehend.load_scene("mug_on_table"))
         options = few_options(paths=prehend.options.GraspPathOptions())
         options.search.trials = 150
+        options.search.settled = 1.0
         options.rank.top = 1
         result = prehend.plan(scene, options)
         path = result[0].path

@@ -118,7 +118,8 @@ class Loaded(unittest.TestCase):
             for again in (planning.load_grasps(file), planning.load_grasps(file, result.scene)):
                 self.assertEqual(again.scene.hand.name, result.scene.hand.name)
                 self.assertEqual(len(again), 3)
-                np.testing.assert_array_equal(again.poses, result.poses)
+                # A file has quaternions for rotations.
+                np.testing.assert_allclose(again.poses, result.poses, rtol=0, atol=1e-12)
                 np.testing.assert_array_equal(again.epsilon, result.epsilon)
                 self.assertEqual(again.outcomes, result.outcomes)
                 self.assertEqual(again[0].contacts[0].link, result[0].contacts[0].link)
