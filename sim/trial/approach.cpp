@@ -89,6 +89,16 @@ double safe_way(const ApproachPair& pair, const Gap& gap, const Vector3& directi
   return std::max(safe_step(gap, options), along);
 }
 
+// What is left of each gap bounds it at the end from below, which saves the closing hand its first
+// queries.
+void note_clearances(const ReusedList<ApproachPair>& pairs, ApproachResult& result) {
+  for (const ApproachPair& pair : pairs) {
+    if (!pair.body.is_object()) continue;
+    result.object_clearance[index(pair.link)] =
+        std::max(0.0, pair.gap_then - (result.travel - pair.asked_at));
+  }
+}
+
 }  // namespace
 
 Pose ApproachMotion::at(double travel) const {
@@ -161,14 +171,7 @@ void approach(const CompiledScene& scene, const std::vector<double>& joints,
     const Matrix3 R_TO = scene.pose_in(next.body, Pose::Identity()).linear();
     next.safe_until = travel + safe_way(next, gap, R_TO * motion.approach_O, options);
   }
-  // What is left of each gap bounds it at the end from below, which saves the closing hand its
-  // first queries.
-  for (const ApproachPair& pair : all) {
-    if (pair.body.is_object()) {
-      result.object_clearance[index(pair.link)] =
-          std::max(0.0, pair.gap_then - (result.travel - pair.asked_at));
-    }
-  }
+  note_clearances(all, result);
 }
 
 }  // namespace prehend

@@ -25,6 +25,7 @@ RegionTouch touch_of_best(const std::string& name, bool with_parts) {
   if (!with_parts) scene.object.surfaces.clear();
   PlanOptions options;
   options.rank.top = 10;
+  options.search.settled = 1.0;  // ten of the best there are
   options.volumes = false;
   const PlanResult result = plan(compile(std::move(scene)), options);
   RegionTouch touch;

@@ -290,9 +290,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadArm{"MissingHand", "/robot/hand", R"("tentacle")",
                "robot.hand: neither a file nor one of allegro, "},
         BadArm{"NoPlatform", "/robot", "{}", "robot.platform: must be given"},
-        BadArm{
-            "UnknownField", "/robot/speed", "1",
-            "robot.speed: unknown field, known here are platform, hand, pose, start, limits, stands_on (1)"}),
+        BadArm{"UnknownField", "/robot/speed", "1",
+               "robot.speed: unknown field, known here are platform, hand, pose, start, limits, "
+               "stands_on (1)"}),
     [](const auto& bad) { return std::string(bad.param.label); });
 
 }  // namespace
