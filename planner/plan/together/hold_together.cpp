@@ -67,7 +67,7 @@ class Pairing {
   }
 
  private:
-  // Not worth a bracket of its own: a pair that was looked at.
+  // What is known of a pair that was looked at.
   struct Looked {
     bool apart = false;
     std::optional<SharedGrasp> pair;  // that bears the weight

@@ -7,11 +7,9 @@
 
 namespace prehend {
 
-std::vector<PosedLink> links_in_grasp(const CompiledScene& scene, const Trial& trial,
-                                      const std::vector<double>& arm_joints) {
-  if (!arm_joints.empty()) return links_at(scene, arm_joints);
+std::vector<PosedLink> links_in_grasp(const CompiledScene& scene, const Trial& trial) {
   if (scene.arm && !trial.arm_dofs.empty()) {
-    return links_at(scene, prehend::arm_joints(*scene.arm, trial.arm_dofs, trial.joints));
+    return links_at(scene, arm_joints(*scene.arm, trial.arm_dofs, trial.joints));
   }
   const Pose X_WH = scene.scene.object.X_WO * hand_in_scene(trial);
   std::vector<Pose> X_HL;

@@ -18,15 +18,13 @@ struct PosedLink {
   Pose X_WL = Pose::Identity();
 };
 
-// Of the hand in its grasp and, where the scene has one, of the arm that carries it, at the values
-// of all joints of the platform.
-std::vector<PosedLink> links_in_grasp(const CompiledScene& scene, const Trial& trial,
-                                      const std::vector<double>& arm_joints = {});
+// Of the hand in its grasp and, where the trial has its posture, of the arm that carries it.
+std::vector<PosedLink> links_in_grasp(const CompiledScene& scene, const Trial& trial);
 
 // Of the scene's platform at its start; none without one, for the hand is nowhere then.
 std::vector<PosedLink> links_at_start(const CompiledScene& scene);
 
-// Of the scene's platform.
+// Of the scene's platform, at the values of all of its joints.
 std::vector<PosedLink> links_at(const CompiledScene& scene, const std::vector<double>& arm_joints);
 
 // Whether no link of the one is within `distance` [m] of one of the other, nor inside it.

@@ -16,10 +16,14 @@
 namespace prehend {
 namespace {
 
-// The path of one arm with the other standing still.
+// Bodies of the two robots are at least this far apart where one begins to move [m].
+constexpr double kApartAtStart = 1e-3;
+
+// The path of one arm with the other standing still; none where that is in its way at the start.
 std::optional<Trajectory> reach_among(const SharedHold& hold, const std::vector<PosedLink>& other,
                                       const std::string& robot, GraspPathOptions options,
                                       const RunContext& context) {
+  if (!are_apart(links_at_start(hold.scene), other, kApartAtStart)) return std::nullopt;
   Scene scene = hold.scene.scene;
   add_obstacles(other, robot, scene);
   options.lift.height = 0.0;

@@ -125,6 +125,12 @@ TEST(HoldTogether, MovesTheArmsOneAfterTheOtherAndLiftsWithBoth) {
   EXPECT_NEAR(height, options.lift.height, 1e-6);
 }
 
+// An arm in whose start the other one stands has no way. Here both are the same arm.
+TEST(HoldTogether, HasNoPathsWhereOneArmStandsInTheOther) {
+  const SharedHold hold{crate().left, crate().left_plan.grasps.front()};
+  EXPECT_FALSE(plan_shared_paths({{hold, hold}}, {}).has_value());
+}
+
 TEST(HoldTogether, RefusesDifferentObjects) {
   Scene other = crate().right.scene;
   other.object.mass += 0.1;
