@@ -1,4 +1,4 @@
-// The examples that end the help of each command.
+// The examples that end the help of each command, and the page of the manual.
 #include <sstream>
 #include <string>
 #include <vector>
@@ -60,6 +60,13 @@ TEST(Help, OfEveryCommandEndsWithExamples) {
       const std::string both = command + " " + below;
       expect_examples(both, run_program(both + " --help").out);
     }
+  }
+}
+
+TEST(Help, OfEveryCommandIsInThePageOfTheManual) {
+  const std::string page = content(PREHEND_SOURCE_DIR "/planner/main/package/prehend.1");
+  for (const std::string& command : commands_of(run_program("--help").out)) {
+    EXPECT_NE(page.find("\n.B " + command + "\n"), std::string::npos) << command;
   }
 }
 
