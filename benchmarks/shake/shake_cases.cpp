@@ -31,12 +31,17 @@ Scene scene_of(const std::string& name, const std::string& hand) {
 ShakeCase shake_case(const std::string& name, int trials, int most, bool on_support) {
   const std::size_t colon = name.find(':');
   const std::string hand = colon == std::string::npos ? "" : name.substr(colon + 1);
-  ShakeCase shaken;
   const bool is_file = name.find('/') != std::string::npos;
-  shaken.name = is_file ? std::filesystem::path(name.substr(0, colon)).stem().string() : name;
-  if (is_file && !hand.empty()) shaken.name += ":" + hand;
+  std::string title = is_file ? std::filesystem::path(name.substr(0, colon)).stem().string() : name;
+  if (is_file && !hand.empty()) title += ":" + hand;
   Scene scene = scene_of(name.substr(0, colon), hand);
   if (on_support && scene.obstacles.empty()) put_on_table(scene);
+  return shake_case(title, std::move(scene), trials, most);
+}
+
+ShakeCase shake_case(const std::string& name, Scene scene, int trials, int most) {
+  ShakeCase shaken;
+  shaken.name = name;
   shaken.scene = compile(std::move(scene));
   PlanOptions options;
   options.search.trials = trials;

@@ -26,6 +26,7 @@ struct ShakeCase {
 // so many of the best grasps of a plan. `on_support`: an object without obstacles is put on a table
 // first. Throws InputError.
 ShakeCase shake_case(const std::string& name, int trials, int most, bool on_support = false);
+ShakeCase shake_case(const std::string& name, Scene scene, int trials, int most);
 
 // The tests that failed, of which the preparation is one.
 std::vector<ShakeTestResult> failed_tests(const ShakeResult& result);

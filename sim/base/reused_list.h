@@ -21,6 +21,7 @@ class ReusedList {
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
+  T& operator[](std::size_t i) { return elements_[i]; }
   T* begin() { return elements_.data(); }
   T* end() { return elements_.data() + size_; }
   const T* begin() const { return elements_.data(); }

@@ -1,10 +1,11 @@
 #include "sim/shape/ray.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "sim/base/index.h"
-#include "sim/shape/lanes.h"
 #include "sim/shape/triangle_distance.h"
 #include "sim/shape/wide_tree.h"
 
@@ -38,7 +39,7 @@ class RayWalk {
  private:
   void descend(int node_number) {
     const WideNode& node = tree_.nodes[index(node_number)];
-    std::array<float, kLanes> enter;
+    LaneNumbers enter;
     const auto wanted = wanted_lanes(node, enter);
     for (std::size_t i = 0; i < wanted.count; ++i) {
       const std::size_t lane = wanted.lane[i];
@@ -58,20 +59,22 @@ class RayWalk {
     std::size_t count = 0;
   };
 
-  Wanted wanted_lanes(const WideNode& node, std::array<float, kLanes>& enter) const {
-    Lanes first(0.0F);
-    Lanes last(std::numeric_limits<float>::infinity());
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Lanes to_center = load_lanes(node.center[k].data()) - from_near_[k];
-      const Lanes half = load_lanes(node.half[k].data()) + margin_;
-      const Lanes a = (to_center - half) * inverse_[k];
-      const Lanes b = (to_center + half) * inverse_[k];
-      first = std::experimental::max(first, std::experimental::min(a, b));
-      last = std::experimental::min(last, std::experimental::max(a, b));
+  Wanted wanted_lanes(const WideNode& node, LaneNumbers& enter) const {
+    LaneNumbers leave;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      float first = 0.0F;
+      float last = std::numeric_limits<float>::infinity();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const float to_center = node.center[k][lane] - from_near_[k];
+        const float half = node.half[k][lane] + margin_;
+        const float a = (to_center - half) * inverse_[k];
+        const float b = (to_center + half) * inverse_[k];
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+      }
+      enter[lane] = first;
+      leave[lane] = last;
     }
-    std::array<float, kLanes> leave;
-    first.copy_to(enter.data(), std::experimental::element_aligned);
-    last.copy_to(leave.data(), std::experimental::element_aligned);
     Wanted wanted;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       enter[lane] *= 1.0F - 1e-6F;

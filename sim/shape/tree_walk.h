@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstring>
 #include <limits>
 
 #include "sim/base/index.h"
+#include "sim/base/wide_lanes.h"
 #include "sim/shape/triangle_distance.h"
 #include "sim/shape/wide_tree.h"
 
@@ -42,22 +45,28 @@ class TreeWalk {
   };
 
   // Sorts wanted lanes in; the nearest of the others is reported.
-  Wanted wanted_lanes(const std::array<float, kLanes>& squared) {
+  Wanted wanted_lanes(const LaneNumbers& squared) {
+    Floats8 numbers;
+    std::memcpy(&numbers, squared.data(), sizeof numbers);
+    // A bound that is no number is of no triangle: to go on with it would never end.
+    const unsigned bits = bits_of(numbers <= wanted_);
     Wanted wanted;
-    float nearest_left_out = std::numeric_limits<float>::infinity();
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      // A bound that is no number is of no triangle: to go on with it would never end.
-      if (!(squared[lane] <= wanted_)) {
-        nearest_left_out = std::min(nearest_left_out, squared[lane]);
-        continue;
-      }
+    for (unsigned left = bits; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
       std::size_t place = wanted.count++;
       for (; place > 0 && squared[wanted.lane[place - 1]] > squared[lane]; --place) {
         wanted.lane[place] = wanted.lane[place - 1];
       }
       wanted.lane[place] = lane;
     }
-    if (wanted.count < kLanes) leave_out(nearest_left_out);
+    if (wanted.count < kLanes) {
+      float nearest_left_out = std::numeric_limits<float>::infinity();
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const bool is_left_out = (bits >> lane & 1U) == 0;
+        if (is_left_out && squared[lane] < nearest_left_out) nearest_left_out = squared[lane];
+      }
+      leave_out(nearest_left_out);
+    }
     return wanted;
   }
 
@@ -102,10 +111,13 @@ class TreeWalk {
   // The box of a large triangle that is aligned with no axis is mostly empty. Many boxes of a fine
   // mesh may be in it that are far from the triangle, which its prism shows.
   void into_a(const WideNode& node, const Placed& b, const Prism* prism) {
-    Lanes bound = distance_.squared(node, b, wanted_);
-    if (prism != nullptr) bound = std::experimental::max(bound, distance_.squared(node, *prism));
-    std::array<float, kLanes> squared;
-    bound.copy_to(squared.data(), std::experimental::element_aligned);
+    LaneNumbers squared = distance_.squared(node, b, wanted_);
+    if (prism != nullptr) {
+      const LaneNumbers beside = distance_.squared(node, *prism);
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        squared[lane] = std::max(squared[lane], beside[lane]);
+      }
+    }
     const Wanted wanted = wanted_lanes(squared);
     for (std::size_t i = 0; i < wanted.count; ++i) {
       const std::size_t lane = wanted.lane[i];
@@ -120,9 +132,7 @@ class TreeWalk {
 
   void into_b(const WideBox& a, const WideNode& node) {
     WideDistance::PlacedNode in_a;
-    std::array<float, kLanes> squared;
-    distance_.squared(a, node, wanted_, in_a)
-        .copy_to(squared.data(), std::experimental::element_aligned);
+    const LaneNumbers squared = distance_.squared(a, node, wanted_, in_a);
     const Wanted wanted = wanted_lanes(squared);
     for (std::size_t i = 0; i < wanted.count; ++i) {
       const std::size_t lane = wanted.lane[i];

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
 #include "sim/base/index.h"
+#include "sim/base/wide_lanes.h"
 
 namespace prehend {
 namespace {
-
-using std::experimental::abs;
-using std::experimental::all_of;
-using std::experimental::max;
 
 constexpr float kHalfUnit = 0.5F * std::numeric_limits<float>::epsilon();
 // Boxes of lanes without a child. Squares of this are finite.
@@ -71,7 +69,7 @@ class WideBuilder {
   void fill(std::size_t wide, int top) {
     const std::vector<int> children = children_of(top);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      WideBox box{{kFar, kFar, kFar}, {}, 0};
+      WideBox box{{kFar, kFar, kFar}, {-1.0F, -1.0F, -1.0F}, 0};
       if (lane < children.size()) {
         const BoxNode& node = binary_[index(children[lane])];
         box = rounded(node, tree_.origin);
@@ -94,14 +92,156 @@ class WideBuilder {
   WideTree tree_;
 };
 
+constexpr unsigned kAllLanes = (1U << kLanes) - 1U;
+
+[[gnu::always_inline]] inline void load(const LaneNumbers& from, Floats8& to) {
+  std::memcpy(&to, from.data(), sizeof to);
+}
+
+[[gnu::always_inline]] inline void store(const Floats8& from, LaneNumbers& to) {
+  std::memcpy(to.data(), &from, sizeof from);
+}
+
+[[gnu::always_inline]] inline void take_size(Floats8& numbers) {
+  Ints8 bits;
+  std::memcpy(&bits, &numbers, sizeof bits);
+  bits &= 0x7fffffff;
+  std::memcpy(&numbers, &bits, sizeof bits);
+}
+
+// A bound that is no number is none.
+[[gnu::always_inline]] inline void take_larger(const Floats8& other, Floats8& numbers) {
+  numbers = other > numbers ? other : numbers;
+}
+
+// Adds the square of what is left of the distance of two centres along an axis, beyond the halves
+// of both boxes.
+[[gnu::always_inline]] inline void add_apart(const Floats8& between, const Floats8& half,
+                                             const Floats8& other_half, Floats8& squared) {
+  const Floats8 zero = {};
+  Floats8 apart = between;
+  take_size(apart);
+  apart = apart - half - other_half;
+  apart = apart > zero ? apart : zero;
+  squared += apart * apart;
+}
+
+[[gnu::always_inline]] inline void squared_from(const WideDistance::Relative& r,
+                                                const WideNode& node_a,
+                                                const WideDistance::Placed& b, float enough,
+                                                LaneNumbers& squared) {
+  const Floats8 zero = {};
+  Floats8 between[3];
+  Floats8 half[3];
+  Floats8 along_a = zero;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Floats8 center;
+    load(node_a.center[k], center);
+    load(node_a.half[k], half[k]);
+    between[k] = b.center_A[k] - center;
+    add_apart(between[k], half[k], zero + (b.half_A[k] + r.rounding), along_a);
+  }
+  store(along_a, squared);
+  if (bits_of(along_a > enough) == kAllLanes) return;
+  Floats8 along_b = zero;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Floats8 turned = r.rotation[0][k] * between[0] + r.rotation[1][k] * between[1] +
+                           r.rotation[2][k] * between[2];
+    const Floats8 enclosing =
+        r.sizes[0][k] * half[0] + r.sizes[1][k] * half[1] + r.sizes[2][k] * half[2];
+    add_apart(turned, enclosing, zero + (b.box.half[k] + r.rounding), along_b);
+  }
+  take_larger(along_a, along_b);
+  store(along_b, squared);
+}
+
+[[gnu::always_inline]] inline void squared_to(const WideDistance::Relative& r, const WideBox& a,
+                                              const WideNode& node_b, float enough,
+                                              WideDistance::PlacedNode& in_a,
+                                              LaneNumbers& squared) {
+  const Floats8 zero = {};
+  Floats8 center[3];
+  Floats8 half[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    load(node_b.center[k], center[k]);
+    load(node_b.half[k], half[k]);
+  }
+  Floats8 between[3];
+  Floats8 along_a = zero;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Floats8 center_A = r.rotation[k][0] * center[0] + r.rotation[k][1] * center[1] +
+                             r.rotation[k][2] * center[2] + r.shift[k];
+    const Floats8 half_A =
+        r.sizes[k][0] * half[0] + r.sizes[k][1] * half[1] + r.sizes[k][2] * half[2];
+    store(center_A, in_a.center_A[k]);
+    store(half_A, in_a.half_A[k]);
+    between[k] = center_A - a.center[k];
+    add_apart(between[k], half_A, zero + (a.half[k] + r.rounding), along_a);
+  }
+  store(along_a, squared);
+  if (bits_of(along_a > enough) == kAllLanes) return;
+  Floats8 along_b = zero;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Floats8 turned = r.rotation[0][k] * between[0] + r.rotation[1][k] * between[1] +
+                           r.rotation[2][k] * between[2];
+    const float enclosing =
+        r.sizes[0][k] * a.half[0] + r.sizes[1][k] * a.half[1] + r.sizes[2][k] * a.half[2];
+    add_apart(turned, half[k], zero + (enclosing + r.rounding), along_b);
+  }
+  take_larger(along_a, along_b);
+  store(along_b, squared);
+}
+
+[[gnu::always_inline]] inline void squared_beside(const WideNode& node_a,
+                                                  const WideDistance::Prism& b, float rounding,
+                                                  LaneNumbers& squared) {
+  Floats8 center[3];
+  Floats8 half[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    load(node_a.center[k], center[k]);
+    load(node_a.half[k], half[k]);
+  }
+  Floats8 apart = {};
+  for (const WideDistance::HalfSpace& side : b) {
+    const Floats8 height = side.normal[0] * center[0] + side.normal[1] * center[1] +
+                           side.normal[2] * center[2] - (side.height + rounding);
+    const Floats8 below =
+        side.sizes[0] * half[0] + side.sizes[1] * half[1] + side.sizes[2] * half[2];
+    take_larger(height - below, apart);
+  }
+  store(apart * apart, squared);
+}
+
+PREHEND_FOR_AVX2 void squared_from_with_avx2(const WideDistance::Relative& r,
+                                             const WideNode& node_a, const WideDistance::Placed& b,
+                                             float enough, LaneNumbers& squared) {
+  squared_from(r, node_a, b, enough, squared);
+}
+
+PREHEND_FOR_AVX2 void squared_to_with_avx2(const WideDistance::Relative& r, const WideBox& a,
+                                           const WideNode& node_b, float enough,
+                                           WideDistance::PlacedNode& in_a, LaneNumbers& squared) {
+  squared_to(r, a, node_b, enough, in_a, squared);
+}
+
+PREHEND_FOR_AVX2 void squared_beside_with_avx2(const WideNode& node_a, const WideDistance::Prism& b,
+                                               float rounding, LaneNumbers& squared) {
+  squared_beside(node_a, b, rounding, squared);
+}
+
 // Appends the triangles below a node whose boxes meet the box.
 void collect_below(const WideTree& tree, WideChild at, const WideBox& box,
                    std::vector<int>& triangles) {
   const WideNode& node = tree.nodes[index(at)];
-  Lanes apart(-std::numeric_limits<float>::infinity());
+  Floats8 apart = Floats8{} - std::numeric_limits<float>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
-    const Lanes between = abs(load_lanes(node.center[k].data()) - box.center[k]);
-    apart = max(apart, between - load_lanes(node.half[k].data()) - box.half[k]);
+    Floats8 between;
+    Floats8 half;
+    load(node.center[k], between);
+    load(node.half[k], half);
+    between -= box.center[k];
+    take_size(between);
+    take_larger(between - half - box.half[k], apart);
   }
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     // An empty lane, which has the root, is far away, but a box may be as large as that.
@@ -133,86 +273,51 @@ void collect_in_box(const WideTree& tree, const Bounds& box, std::vector<int>& t
 // numbers that were rounded themselves, and the second distance rotates the first: fewer than 32
 // roundings of at most half a unit in the last place of S.
 WideDistance::WideDistance(const WideTree& a, const WideTree& b, const Pose& X_AB)
-    : origin_(a.origin) {
+    : origin_(a.origin), has_avx2_(has_avx2()) {
   const Vector3 shift = X_AB * b.origin - a.origin;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto row = static_cast<Vector3::Index>(i);
     for (std::size_t j = 0; j < 3; ++j) {
-      rotation_[i][j] = static_cast<float>(X_AB.linear()(row, static_cast<Vector3::Index>(j)));
-      sizes_[i][j] = std::abs(rotation_[i][j]);
+      relative_.rotation[i][j] =
+          static_cast<float>(X_AB.linear()(row, static_cast<Vector3::Index>(j)));
+      relative_.sizes[i][j] = std::abs(relative_.rotation[i][j]);
     }
-    shift_[i] = static_cast<float>(shift[row]);
+    relative_.shift[i] = static_cast<float>(shift[row]);
   }
-  rounding_ = 32.0F * kHalfUnit * static_cast<float>(a.radius + b.radius + shift.norm());
+  relative_.rounding = 32.0F * kHalfUnit * static_cast<float>(a.radius + b.radius + shift.norm());
 }
 
 WideDistance::Placed WideDistance::placed(const WideBox& b) const {
   Placed placed{b, {}, {}};
   for (std::size_t i = 0; i < 3; ++i) {
-    placed.center_A[i] = shift_[i];
+    placed.center_A[i] = relative_.shift[i];
     for (std::size_t j = 0; j < 3; ++j) {
-      placed.center_A[i] += rotation_[i][j] * b.center[j];
-      placed.half_A[i] += sizes_[i][j] * b.half[j];
+      placed.center_A[i] += relative_.rotation[i][j] * b.center[j];
+      placed.half_A[i] += relative_.sizes[i][j] * b.half[j];
     }
   }
   return placed;
 }
 
-// The squares of what is left of the distance of two centres, beyond the halves of both boxes.
-Lanes WideDistance::squared(const WideNode& node_a, const Placed& b, float enough) const {
-  const Lanes zero(0.0F);
-  std::array<Lanes, 3> between;
-  std::array<Lanes, 3> half;
-  Lanes along_a = zero;
-  for (std::size_t k = 0; k < 3; ++k) {
-    between[k] = b.center_A[k] - load_lanes(node_a.center[k].data());
-    half[k] = load_lanes(node_a.half[k].data());
-    const Lanes apart = max(abs(between[k]) - half[k] - (b.half_A[k] + rounding_), zero);
-    along_a += apart * apart;
+LaneNumbers WideDistance::squared(const WideNode& node_a, const Placed& b, float enough) const {
+  LaneNumbers squared;
+  if (has_avx2_) {
+    squared_from_with_avx2(relative_, node_a, b, enough, squared);
+  } else {
+    squared_from(relative_, node_a, b, enough, squared);
   }
-  if (all_of(along_a > enough)) return along_a;
-  Lanes along_b = zero;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Lanes turned =
-        rotation_[0][k] * between[0] + rotation_[1][k] * between[1] + rotation_[2][k] * between[2];
-    const Lanes enclosing =
-        sizes_[0][k] * half[0] + sizes_[1][k] * half[1] + sizes_[2][k] * half[2];
-    const Lanes apart = max(abs(turned) - enclosing - (b.box.half[k] + rounding_), zero);
-    along_b += apart * apart;
-  }
-  return max(along_a, along_b);
+  return squared;
 }
 
-Lanes WideDistance::squared(const WideBox& a, const WideNode& node_b, float enough,
-                            PlacedNode& in_a) const {
-  const Lanes zero(0.0F);
-  std::array<Lanes, 3> center;
-  std::array<Lanes, 3> half;
-  for (std::size_t k = 0; k < 3; ++k) {
-    center[k] = load_lanes(node_b.center[k].data());
-    half[k] = load_lanes(node_b.half[k].data());
+LaneNumbers WideDistance::squared(const WideBox& a, const WideNode& node_b, float enough,
+                                  PlacedNode& in_a) const {
+  LaneNumbers squared;
+  if (has_avx2_) {
+    squared_to_with_avx2(relative_, a, node_b, enough, in_a, squared);
+  } else {
+    squared_to(relative_, a, node_b, enough, in_a, squared);
   }
-  std::array<Lanes, 3> between;
-  Lanes along_a = zero;
-  for (std::size_t k = 0; k < 3; ++k) {
-    in_a.center_A[k] = rotation_[k][0] * center[0] + rotation_[k][1] * center[1] +
-                       rotation_[k][2] * center[2] + shift_[k];
-    in_a.half_A[k] = sizes_[k][0] * half[0] + sizes_[k][1] * half[1] + sizes_[k][2] * half[2];
-    between[k] = in_a.center_A[k] - a.center[k];
-    const Lanes apart = max(abs(between[k]) - in_a.half_A[k] - (a.half[k] + rounding_), zero);
-    along_a += apart * apart;
-  }
-  if (all_of(along_a > enough)) return along_a;
-  Lanes along_b = zero;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Lanes turned =
-        rotation_[0][k] * between[0] + rotation_[1][k] * between[1] + rotation_[2][k] * between[2];
-    const float enclosing =
-        sizes_[0][k] * a.half[0] + sizes_[1][k] * a.half[1] + sizes_[2][k] * a.half[2];
-    const Lanes apart = max(abs(turned) - half[k] - (enclosing + rounding_), zero);
-    along_b += apart * apart;
-  }
-  return max(along_a, along_b);
+  return squared;
 }
 
 WideDistance::HalfSpace WideDistance::half_space(const Vector3& point,
@@ -236,21 +341,14 @@ WideDistance::Prism WideDistance::prism(const PlacedTriangle& b_in_a) const {
 }
 
 // Fewer roundings than in the distances above, of numbers that are not larger.
-Lanes WideDistance::squared(const WideNode& node_a, const Prism& b) const {
-  const std::array<Lanes, 3> center{load_lanes(node_a.center[0].data()),
-                                    load_lanes(node_a.center[1].data()),
-                                    load_lanes(node_a.center[2].data())};
-  const std::array<Lanes, 3> half{load_lanes(node_a.half[0].data()),
-                                  load_lanes(node_a.half[1].data()),
-                                  load_lanes(node_a.half[2].data())};
-  Lanes apart(0.0F);
-  for (const HalfSpace& side : b) {
-    const Lanes height = side.normal[0] * center[0] + side.normal[1] * center[1] +
-                         side.normal[2] * center[2] - (side.height + rounding_);
-    const Lanes below = side.sizes[0] * half[0] + side.sizes[1] * half[1] + side.sizes[2] * half[2];
-    apart = max(apart, height - below);
+LaneNumbers WideDistance::squared(const WideNode& node_a, const Prism& b) const {
+  LaneNumbers squared;
+  if (has_avx2_) {
+    squared_beside_with_avx2(node_a, b, relative_.rounding, squared);
+  } else {
+    squared_beside(node_a, b, relative_.rounding, squared);
   }
-  return apart * apart;
+  return squared;
 }
 
 }  // namespace prehend

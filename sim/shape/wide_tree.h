@@ -1,16 +1,19 @@
-// Bounding-volume hierarchy for walks over two meshes at once: as many children to a node as the
-// processor handles in one step, boxes in single precision.
+// Bounding-volume hierarchy for walks over two meshes at once: eight children to a node, whose
+// boxes are compared in one step (sim/base/wide_lanes.h), in single precision.
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "sim/shape/box_tree.h"
-#include "sim/shape/lanes.h"
 #include "sim/shape/triangle_distance.h"
 #include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
+
+inline constexpr std::size_t kLanes = 8;
+// A number for each box of a node.
+using LaneNumbers = std::array<float, kLanes>;
 
 // What is below a box: a node (>= 0), or the triangle ~child (< 0).
 using WideChild = int;
@@ -20,8 +23,8 @@ constexpr bool is_triangle(WideChild child) { return child < 0; }
 // relative to WideTree::origin [m]. A lane without a child has a box that is farther away than
 // anything, of negative size.
 struct WideNode {
-  std::array<std::array<float, kLanes>, 3> center;
-  std::array<std::array<float, kLanes>, 3> half;
+  std::array<LaneNumbers, 3> center;
+  std::array<LaneNumbers, 3> half;
   std::array<WideChild, kLanes> child;
 };
 
@@ -70,13 +73,14 @@ class WideDistance {
   // Squared lower bounds [m^2] of the distances between `b` and the boxes of a node of a. The
   // second of the two distances costs most and is left out where the first exceeds `enough` in all
   // lanes already.
-  Lanes squared(const WideNode& node_a, const Placed& b, float enough) const;
+  LaneNumbers squared(const WideNode& node_a, const Placed& b, float enough) const;
   // The same for the boxes of a node of b, and where they are in a.
   struct PlacedNode {
-    std::array<Lanes, 3> center_A;
-    std::array<Lanes, 3> half_A;
+    std::array<LaneNumbers, 3> center_A;
+    std::array<LaneNumbers, 3> half_A;
   };
-  Lanes squared(const WideBox& a, const WideNode& node_b, float enough, PlacedNode& in_a) const;
+  LaneNumbers squared(const WideBox& a, const WideNode& node_b, float enough,
+                      PlacedNode& in_a) const;
 
   // A half-space in a's frame: the points with normal . p <= height, from the origin of the tree.
   struct HalfSpace {
@@ -89,16 +93,22 @@ class WideDistance {
   // That of a triangle of b that is given in a's frame. One without a normal has no bounds.
   Prism prism(const PlacedTriangle& b_in_a) const;
   // Squared lower bounds [m^2] of the distances between the triangle and the boxes of a node of a.
-  Lanes squared(const WideNode& node_a, const Prism& b) const;
+  LaneNumbers squared(const WideNode& node_a, const Prism& b) const;
+
+  // How b lies in a, in single precision.
+  struct Relative {
+    std::array<std::array<float, 3>, 3> rotation{};  // R_AB
+    std::array<std::array<float, 3>, 3> sizes{};     // its absolute values
+    std::array<float, 3> shift{};                    // origin of b from that of a, in a
+    float rounding = 0.0F;                           // bound of the error of a distance [m]
+  };
 
  private:
   HalfSpace half_space(const Vector3& point, const Vector3& normal) const;
 
-  Vector3 origin_;                                // of tree a
-  std::array<std::array<float, 3>, 3> rotation_;  // R_AB
-  std::array<std::array<float, 3>, 3> sizes_;     // its absolute values
-  std::array<float, 3> shift_;                    // origin of b from that of a, in a
-  float rounding_ = 0.0F;                         // bound of the error of a distance [m]
+  Vector3 origin_;  // of tree a
+  Relative relative_;
+  bool has_avx2_;
 };
 
 }  // namespace prehend

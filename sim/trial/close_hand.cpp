@@ -1,6 +1,7 @@
 #include "sim/trial/close_hand.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "sim/base/index.h"
@@ -28,6 +29,7 @@ class Closing {
         context_(context),
         motion_(workspace.motion),
         pairings_(workspace.pairs),
+        queue_(workspace.queue),
         joints_(workspace.joints),
         link_(workspace.link),
         other_(workspace.other),
@@ -37,16 +39,25 @@ class Closing {
   }
 
   void run(ClosedHand& closed) {
-    const auto earlier = [](const ClosingPair& a, const ClosingPair& b) {
-      return a.safe_until < b.safe_until;
-    };
+    // The pair whose proof ends first is on top; of several the first of the list, the same in
+    // every run. A pair that can touch no more is not put back.
+    queue_.clear();
+    for (std::size_t p = 0; p < pairings_.size(); ++p) {
+      queue_.emplace_back(pairings_[p].safe_until, p);
+    }
+    std::make_heap(queue_.begin(), queue_.end(), std::greater<>());
     // Contacts change when the motion ends, so that its end is asked for anew in each round.
-    while (!pairings_.empty()) {
+    while (!queue_.empty() && queue_.front().first < motion_.end()) {
       context_.cancellation.check();
-      // The first of several earliest pairs, in the order of the list: the same in every run.
-      ClosingPair& next = *std::min_element(pairings_.begin(), pairings_.end(), earlier);
-      if (next.safe_until >= motion_.end()) break;
+      std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
+      ClosingPair& next = pairings_[queue_.back().second];
       advance(next);
+      queue_.back().first = next.safe_until;
+      if (next.safe_until == kNever) {
+        queue_.pop_back();
+      } else {
+        std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
+      }
     }
     motion_.joints_at(kNever, closed.joints);
     closed.dofs = start_.dofs;
@@ -176,6 +187,7 @@ class Closing {
   const RunContext& context_;
   ClosingMotion& motion_;
   ReusedList<ClosingPair>& pairings_;
+  std::vector<std::pair<double, std::size_t>>& queue_;
   std::vector<double>& joints_;
   ClosingLink& link_;
   ClosingLink& other_;

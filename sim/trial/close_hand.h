@@ -2,7 +2,9 @@
 // limit.
 #pragma once
 
+#include <cstddef>
 #include <limits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -55,6 +57,7 @@ struct ClosingPair {
 struct ClosingWorkspace {
   ClosingMotion motion;
   ReusedList<ClosingPair> pairs;
+  std::vector<std::pair<double, std::size_t>> queue;  // when the proof of each pair ends
   std::vector<double> joints;
   ClosingLink link;   // of the pair that is asked for
   ClosingLink other;  // what it is paired with, where that is a link

@@ -71,6 +71,7 @@ void ClosingMotion::start(const Robot& hand, const std::vector<double>& dofs,
 // The axes of a finger whose joints are all parallel keep their directions while it closes.
 void ClosingMotion::find_axes() {
   joint_poses(*hand_, start_, X_HJ_);
+  placed_.assign(start_.size(), {std::numeric_limits<double>::quiet_NaN(), Pose::Identity()});
   axis_H_.resize(start_.size());
   keeps_axis_.assign(start_.size(), true);
   for (std::size_t j = 0; j < start_.size(); ++j) {
@@ -93,14 +94,23 @@ double ClosingMotion::speed(const CompiledLink& link, double t) const {
   return sum;
 }
 
-void ClosingMotion::place(const CompiledLink& link, double t, ClosingLink& placed) const {
+const Pose& ClosingMotion::placed(std::size_t joint, double t) {
+  PlacedJoint& placed = placed_[joint];
+  const double value = value_at(joint, t);
+  if (value != placed.value) {
+    placed.value = value;
+    placed.X_PA = hand_->joints[joint].X_PJ * across(hand_->joints[joint], value);
+  }
+  return placed.X_PA;
+}
+
+void ClosingMotion::place(const CompiledLink& link, double t, ClosingLink& placed) {
   placed.X_HL = Pose::Identity();
   placed.on_axis_H.clear();
   for (const int j : link.joints) {
-    const Joint& joint = hand_->joints[index(j)];
-    placed.X_HL = placed.X_HL * joint.X_PJ;
-    placed.on_axis_H.emplace_back(placed.X_HL.translation());
-    placed.X_HL = placed.X_HL * across(joint, value_at(index(j), t));
+    const Vector3& on_axis_P = hand_->joints[index(j)].X_PJ.translation();
+    placed.on_axis_H.emplace_back(placed.X_HL * on_axis_P);
+    placed.X_HL = placed.X_HL * this->placed(index(j), t);
   }
 }
 

@@ -63,8 +63,9 @@ class ClosingMotion {
   // When the last joint comes to rest.
   double end() const;
 
-  // The link at time t; `placed` keeps its memory.
-  void place(const CompiledLink& link, double t, ClosingLink& placed) const;
+  // The link at time t; `placed` keeps its memory. Joints that have not moved since they were
+  // placed last are remembered.
+  void place(const CompiledLink& link, double t, ClosingLink& placed);
 
   // Joint values at time t; after end() those at rest, for any t up to infinity.
   void joints_at(double t, std::vector<double>& joints) const;
@@ -77,6 +78,13 @@ class ClosingMotion {
   const std::vector<bool>& stopped_by_contact() const { return by_contact_; }
 
  private:
+  // The frame A behind a joint in the frame P before it, at some value of the joint.
+  struct PlacedJoint {
+    double value = 0.0;
+    Pose X_PA = Pose::Identity();
+  };
+
+  const Pose& placed(std::size_t joint, double t);
   void stop(int joint, double t);
   void find_axes();
   double value_at(std::size_t joint, double t) const {
@@ -88,6 +96,7 @@ class ClosingMotion {
   std::vector<double> velocity_;
   std::vector<double> until_;
   std::vector<bool> by_contact_;
+  std::vector<PlacedJoint> placed_;
   std::vector<Pose> X_HJ_;        // at the start
   std::vector<Vector3> axis_H_;   // of each joint, at the start
   std::vector<bool> keeps_axis_;  // whether the joint's axis keeps that direction

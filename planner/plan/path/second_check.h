@@ -1,6 +1,4 @@
-// Another engine's opinion of whether bodies collide: FCL (Pan, Chitta and Manocha 2012, "FCL: A
-// general purpose library for collision and proximity queries"). The only files that include it are
-// these two. Nothing of our own trees and distances is used, so that an error in them shows.
+// Another engine's opinion of whether bodies collide (fcl_mesh.h).
 #pragma once
 
 #include <memory>

@@ -122,8 +122,8 @@ TEST(WideDistance, NeverExceedsTheDistanceOfAnyTwoPoints) {
     const auto box_b = lane_of(b.nodes[0], 0);
     const auto box_a = lane_of(a.nodes[0], 1);
     WideDistance::PlacedNode ignored;
-    const Lanes to_a = distance.squared(a.nodes[0], distance.placed(box_b), kAny);
-    const Lanes to_b = distance.squared(box_a, b.nodes[0], kAny, ignored);
+    const LaneNumbers to_a = distance.squared(a.nodes[0], distance.placed(box_b), kAny);
+    const LaneNumbers to_b = distance.squared(box_a, b.nodes[0], kAny, ignored);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       positive += to_a[lane] > 0.0F ? 1 : 0;
       ASSERT_LE(0.999999 * to_a[lane],
@@ -133,7 +133,7 @@ TEST(WideDistance, NeverExceedsTheDistanceOfAnyTwoPoints) {
     }
     // Where less is enough, no more than that is promised.
     const auto enough = static_cast<float>(random.uniform(0.0, 0.01));
-    const Lanes some = distance.squared(a.nodes[0], distance.placed(box_b), enough);
+    const LaneNumbers some = distance.squared(a.nodes[0], distance.placed(box_b), enough);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       ASSERT_TRUE(some[lane] == to_a[lane] || (some[lane] > enough && some[lane] < to_a[lane]));
     }
@@ -209,7 +209,7 @@ TEST(WideDistance, OfAPrismNeverExceedsTheDistanceOfAnyPointOfItsTriangle) {
     for (Vector3& corner : triangle.corner) corner = far + random.in_box(0.15);
     triangle.normal = reliable_normal(triangle.corner);
     const WideDistance distance(a, b, translation(far));
-    const Lanes squared = distance.squared(a.nodes[0], distance.prism(triangle));
+    const LaneNumbers squared = distance.squared(a.nodes[0], distance.prism(triangle));
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       positive += squared[lane] > 0.0F ? 1 : 0;
       const WideBox box = lane_of(a.nodes[0], lane);
