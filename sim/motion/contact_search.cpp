@@ -214,11 +214,11 @@ HeldContact nearest_contact(const ProximityMesh& a, const ProximityMesh& b, cons
 
 std::optional<HeldContact> crossing_contact(const ProximityMesh& a, const ProximityMesh& b,
                                             const Pose& X_AB) {
-  std::vector<TrianglePair> pairs;
+  std::vector<ClosePair> pairs;
   find_pairs_within(a, b, X_AB, 0.0, pairs);
   Vector3 middle = Vector3::Zero();
   Vector3 normal = Vector3::Zero();
-  for (const TrianglePair& pair : pairs) {
+  for (const auto& [pair, distance, on_a, on_b] : pairs) {
     const Corners of_a = corners_of(a.mesh(), pair.a);
     const Corners of_b = moved(corners_of(b.mesh(), pair.b), X_AB);
     for (const Corners& corners : {of_a, of_b}) {

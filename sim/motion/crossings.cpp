@@ -101,11 +101,11 @@ bool add_contacts(const Crossing& crossing, const Solids& before, PairMemory& pa
   constexpr int kMost = 4;  // at once
   const ProximityMesh& a = before.at(pair.a).shape->mesh;
   const ProximityMesh& b = before.at(pair.b).shape->mesh;
-  std::vector<TrianglePair> pairs;
+  std::vector<ClosePair> pairs;
   find_pairs_within(a, b, crossing.X_AB, 0.0, pairs);
   std::vector<std::pair<double, HeldContact>> found;
-  for (const TrianglePair& triangles : pairs) {
-    const TriangleGap gap = triangle_gap(a, b, crossing.X_AB_from, triangles);
+  for (const ClosePair& crossed : pairs) {
+    const TriangleGap gap = triangle_gap(a, b, crossing.X_AB_from, crossed.pair);
     const Vector3 way = gap.p_A - crossing.X_AB_from * gap.p_B;
     if (!(gap.distance > 1e-9)) continue;
     found.push_back({gap.distance, {gap.p_A, gap.p_B, way / gap.distance}});

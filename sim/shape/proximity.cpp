@@ -188,15 +188,30 @@ struct NearPairsVisitor {
 struct CollectVisitor {
   PairDistance& distance;
   double limit;
+  std::vector<ClosePair>& pairs;
+
+  double wanted() const { return limit * limit; }
+  void left_out(double) const {}
+  const PlacedTriangle& triangle_b(int tb) { return distance.placed(tb); }
+  void visit(int ta, int tb) {
+    if (distance.bound(ta, tb) > limit) return;
+    const NearestPoints nearest = distance.nearest(ta, tb);
+    if (nearest.distance > limit) return;
+    pairs.push_back({{ta, tb}, nearest.distance, nearest.on_u, nearest.on_v});
+  }
+};
+
+// Collects all pairs whose bound is within `limit` [m].
+struct MaybeVisitor {
+  PairDistance& distance;
+  double limit;
   std::vector<TrianglePair>& pairs;
 
   double wanted() const { return limit * limit; }
   void left_out(double) const {}
   const PlacedTriangle& triangle_b(int tb) { return distance.placed(tb); }
   void visit(int ta, int tb) {
-    if (distance.bound(ta, tb) <= limit && distance(ta, tb) <= limit) {
-      pairs.push_back({ta, tb});
-    }
+    if (distance.bound(ta, tb) <= limit) pairs.push_back({ta, tb});
   }
 };
 
@@ -220,6 +235,7 @@ ProximityMesh::ProximityMesh(TriangleMesh mesh, const RunContext& context) {
 }
 
 const TriangleMesh& ProximityMesh::mesh() const { return data_->mesh; }
+const std::vector<PlacedTriangle>& ProximityMesh::triangles() const { return data_->triangles; }
 const Vector3& ProximityMesh::ball_center() const { return data_->ball_center; }
 double ProximityMesh::ball_radius() const { return data_->ball_radius; }
 const std::vector<ConvexPoints>& ProximityMesh::parts() const { return data_->parts; }
@@ -274,10 +290,18 @@ bool surfaces_cross(const ProximityMesh& a, const ProximityMesh& b, const Pose& 
 }
 
 void find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
-                       double distance, std::vector<TrianglePair>& pairs) {
+                       double distance, std::vector<ClosePair>& pairs) {
   pairs.clear();
   PairDistance pair_distance(a, b, X_AB);
   CollectVisitor visitor{pair_distance, distance, pairs};
+  TreeWalk(a.data().wide, b.data().wide, X_AB, visitor).run();
+}
+
+void find_pairs_maybe_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
+                             double distance, std::vector<TrianglePair>& pairs) {
+  pairs.clear();
+  PairDistance pair_distance(a, b, X_AB);
+  MaybeVisitor visitor{pair_distance, distance, pairs};
   TreeWalk(a.data().wide, b.data().wide, X_AB, visitor).run();
 }
 

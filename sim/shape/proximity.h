@@ -44,10 +44,24 @@ Gap find_gap(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
 // Whether any two triangles touch or intersect. Stops at the first such pair.
 bool surfaces_cross(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB);
 
+// A pair of triangles and their nearest points, both in the frame of the first mesh [m]. The points
+// are not meaningful when the distance is 0.
+struct ClosePair {
+  TrianglePair pair;
+  double distance = 0.0;
+  Vector3 on_a_A = Vector3::Zero();
+  Vector3 on_b_A = Vector3::Zero();
+};
+
 // Collects all pairs of triangles whose distance is at most `distance` [m], in the order of the
 // traversal. The content of `pairs` is replaced; passing the same vector again saves allocations.
 void find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
-                       double distance, std::vector<TrianglePair>& pairs);
+                       double distance, std::vector<ClosePair>& pairs);
+
+// The same pairs and some that are farther apart, though neither has all of its corners farther
+// than `distance` before or behind the other's plane. In a fraction of the time.
+void find_pairs_maybe_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
+                             double distance, std::vector<TrianglePair>& pairs);
 
 // Collects the triangles whose bounding boxes meet `box` (mesh frame), in the order of the tree,
 // and possibly a few that miss it by rounding of single precision. The content of `triangles` is

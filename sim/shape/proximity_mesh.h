@@ -11,8 +11,9 @@
 
 namespace prehend {
 
-class ConvexPoints;    // separation.h
-struct SmoothSurface;  // smooth_surface.h
+class ConvexPoints;     // separation.h
+struct PlacedTriangle;  // triangle_distance.h
+struct SmoothSurface;   // smooth_surface.h
 
 // A triangle mesh prepared for distance queries: with a bounding-volume hierarchy and other search
 // structures. Immutable, so threads may share it; copies share their data and are cheap.
@@ -23,6 +24,8 @@ class ProximityMesh {
 
   // The mesh, unchanged.
   const TriangleMesh& mesh() const;
+  // Its triangles with their normals, in its frame.
+  const std::vector<PlacedTriangle>& triangles() const;
   // Indices of the triangles that use vertex `v`, ascending.
   std::span<const int> triangles_at(int v) const;
   // Centre (mesh frame) and radius [m] of a sphere that contains all vertices: a bounding sphere,

@@ -201,7 +201,7 @@ NearestPoints nearest_edges(const Corners& u, const Corners& v) {
 // The rounding error of the cross product turns the normal by about epsilon times the square of the
 // longest edge over the area.
 Vector3 reliable_normal(const std::array<Vector3, 3>& corners) {
-  constexpr double kThinnest = 1e-8;
+  constexpr double kThinnest = 1e-7;
   const Vector3 e0 = corners[1] - corners[0];
   const Vector3 e1 = corners[2] - corners[0];
   const Vector3 area = e0.cross(e1);

@@ -5,9 +5,10 @@
 #include <limits>
 #include <optional>
 
+#include "sim/base/index.h"
 #include "sim/shape/contact/triangle_overlap.h"
 #include "sim/shape/nearest_point.h"
-#include "sim/shape/weld.h"
+#include "sim/shape/triangle_distance.h"
 
 // The pressure of the elastic foundation (Johnson 1985, section 4.3) is integrated triangle pair by
 // triangle pair: the springs of one triangle of the link stand on it along its normal; the part of
@@ -20,14 +21,16 @@ namespace prehend {
 namespace {
 
 // The springs of one triangle of the link that one triangle of the object presses.
-void add_pressed(const Corners& on_object, const Corners& on_link, int triangle, double depth,
-                 std::vector<PressedPart>& parts) {
-  const Vector3 up = unit_normal(on_link);
-  const Vector3 outward = unit_normal(on_object);
+void add_pressed(const PlacedTriangle& object, const PlacedTriangle& link, const Pose& X_OL,
+                 int triangle, double depth, std::vector<PressedPart>& parts) {
+  const Corners& on_object = object.corner;
+  const Vector3& outward = object.normal;
+  const Vector3 up = X_OL.linear() * link.normal;
   // Cosine of the angle between the surfaces: springs are counted by the link's area, onto which
   // the object's area is projected. Surfaces that face the same way do not press on each other.
   const double facing = -outward.dot(up);
-  if (facing <= 0.0) return;
+  if (facing <= 0.0) return;  // or one has no normal
+  const Corners on_link = moved(link.corner, X_OL);
   Polygon pressed = cut(over_face(on_link, up, on_object), on_link[0], up);
   pressed = cut(pressed, on_link[0] + depth * up, -up);
   for (std::size_t k = 2; k < pressed.size; ++k) {
@@ -152,15 +155,12 @@ SoftPatch resultant(const std::vector<PressedPart>& parts) {
 
 void soft_patches(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
                   double depth, SoftPatchWorkspace& workspace, std::vector<SoftPatch>& patches) {
-  find_pairs_within(object, link, X_OL, depth, workspace.pairs);
+  // Of pairs that are farther apart nothing is left when they are cut.
+  find_pairs_maybe_within(object, link, X_OL, depth, workspace.pairs);
   workspace.parts.clear();
   for (const TrianglePair& pair : workspace.pairs) {
-    if (is_degenerate(object.mesh(), static_cast<std::size_t>(pair.a)) ||
-        is_degenerate(link.mesh(), static_cast<std::size_t>(pair.b))) {
-      continue;
-    }
-    add_pressed(corners_of(object.mesh(), pair.a), moved(corners_of(link.mesh(), pair.b), X_OL),
-                pair.a, depth, workspace.parts);
+    add_pressed(object.triangles()[index(pair.a)], link.triangles()[index(pair.b)], X_OL, pair.a,
+                depth, workspace.parts);
   }
   // Patches, and the parts of each, come in the order of mesh and pairs, so that sums are rounded
   // the same way each time.

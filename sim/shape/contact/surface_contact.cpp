@@ -6,7 +6,7 @@
 #include "sim/base/index.h"
 #include "sim/shape/contact/contact_copies.h"
 #include "sim/shape/contact/triangle_overlap.h"
-#include "sim/shape/weld.h"
+#include "sim/shape/triangle_distance.h"
 
 // Every pair of triangles within the threshold is asked for contacts in three ways: points of the
 // link's triangle over the face of the object's, points of the object's over the face of the
@@ -30,18 +30,18 @@ double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b)
 }
 
 // True when the triangle rises, from its point p, above the plane through p with normal n by an
-// angle whose sine exceeds `slope`. Only directions that stay in the triangle count: all from a
-// point inside, half of them from one on an edge, those between two edges from a corner.
-bool rises(const Corners& c, const Vector3& p, const Vector3& n, double slope) {
-  const Vector3 area = (c[1] - c[0]).cross(c[2] - c[0]);
+// angle whose sine exceeds `slope`. One without a normal never does. Only directions that stay in
+// the triangle count: all from a point inside, half of them from one on an edge, those between two
+// edges from a corner.
+bool rises(const PlacedTriangle& triangle, const Vector3& p, const Vector3& n, double slope) {
+  const Corners& c = triangle.corner;
+  const Vector3& face_normal = triangle.normal;
   // If the sine of the angle between the plane and the triangle is at most `slope`, no direction in
   // the triangle rises more. Compared as squares, since this early exit takes no root and is the
   // usual case. A triangle that faces the other way counts as parallel too.
-  const double along_normal = n.dot(area);
-  const bool nearly_parallel =
-      along_normal * along_normal >= (1.0 - slope * slope) * area.squaredNorm();
-  if (nearly_parallel) return false;
-  const Vector3 face_normal = area.normalized();
+  const double along_normal = n.dot(face_normal);
+  const bool nearly_parallel = along_normal * along_normal >= 1.0 - slope * slope;
+  if (nearly_parallel || face_normal.isZero(0.0)) return false;
   const Vector3 uphill = n - n.dot(face_normal) * face_normal;
   // `uphill` is the steepest direction in the triangle's plane, its length the sine of the angle by
   // which it rises. If it stays in the triangle from p on, it is the answer; if it leaves across an
@@ -67,9 +67,8 @@ bool rises(const Corners& c, const Vector3& p, const Vector3& n, double slope) {
 // faces. A contact where this fails has a nearer one beside it (figure 7 of the paper).
 bool supports(const ProximityMesh& body, int t, const Vector3& p, const Vector3& n, double slope) {
   const TriangleMesh& mesh = body.mesh();
-  const auto is_below = [&](int u) {
-    return !rises(corners_of(mesh, u), p, n, slope) || is_degenerate(mesh, index(u));
-  };
+  const std::vector<PlacedTriangle>& triangles = body.triangles();
+  const auto is_below = [&](int u) { return !rises(triangles[index(u)], p, n, slope); };
   if (!is_below(t)) return false;
   const Triangle& v = mesh.triangles[index(t)];
   for (int vk : v) {
@@ -134,17 +133,19 @@ class PairContacts {
         points_(workspace.points),
         tried_(workspace.tried) {}
 
-  void add(TrianglePair pair) {
-    const Corners on_object = corners_of(object_.mesh(), pair.a);
-    const Corners on_link = moved(corners_of(link_.mesh(), pair.b), X_OL_);
+  void add(const ClosePair& close) {
+    const PlacedTriangle& of_object = object_.triangles()[index(close.pair.a)];
+    const PlacedTriangle& of_link = link_.triangles()[index(close.pair.b)];
+    const Corners on_link = moved(of_link.corner, X_OL_);
     // A triangle without area has no normal; its edges still have nearest points.
-    if (!is_degenerate(object_.mesh(), index(pair.a))) {
-      add_face_points(pair, on_object, unit_normal(on_object), on_link, true);
+    if (!of_object.normal.isZero(0.0)) {
+      add_face_points(close.pair, of_object.corner, of_object.normal, on_link, true);
     }
-    if (!is_degenerate(link_.mesh(), index(pair.b))) {
-      add_face_points(pair, on_link, unit_normal(on_link), on_object, false);
+    if (!of_link.normal.isZero(0.0)) {
+      add_face_points(close.pair, on_link, X_OL_.linear() * of_link.normal, of_object.corner,
+                      false);
     }
-    add_nearest_point(pair);
+    add_nearest_point(close);
   }
 
  private:
@@ -176,12 +177,10 @@ class PairContacts {
   }
 
   // Edge and vertex contacts: the nearest points and the direction between them.
-  void add_nearest_point(TrianglePair pair) {
-    const TriangleGap gap = triangle_gap(object_, link_, X_OL_, pair);
-    if (gap.distance <= kOnFeature) return;  // too near for a reliable direction
-    const Vector3 p_link = X_OL_ * gap.p_B;
-    const Vector3 normal = (gap.p_A - p_link) / gap.distance;
-    add_if_supported(pair, gap.p_A, p_link, normal, gap.distance);
+  void add_nearest_point(const ClosePair& close) {
+    if (close.distance <= kOnFeature) return;  // too near for a reliable direction
+    const Vector3 normal = (close.on_a_A - close.on_b_A) / close.distance;
+    add_if_supported(close.pair, close.on_a_A, close.on_b_A, normal, close.distance);
   }
 
   // Both points in O; `normal` from the link into the object.
@@ -271,7 +270,7 @@ void find_contact_points(const ProximityMesh& object, const ProximityMesh& link,
   workspace.points.clear();
   workspace.tried.clear();
   PairContacts contacts(object, link, X_OL, options, workspace);
-  for (const TrianglePair& pair : workspace.pairs) contacts.add(pair);
+  for (const ClosePair& close : workspace.pairs) contacts.add(close);
   // The nearest of several copies comes first and is the one that stays.
   std::sort(workspace.points.begin(), workspace.points.end(), nearer);
   first_copies(workspace.points, options, workspace.copies, points);

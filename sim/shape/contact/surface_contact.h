@@ -52,7 +52,7 @@ class TriedPoints {
 
 // Buffers of find_contact_points, to allocate less; one for each thread.
 struct ContactWorkspace {
-  std::vector<TrianglePair> pairs;
+  std::vector<ClosePair> pairs;
   std::vector<SurfaceContact> points;
   std::vector<int> walls;
   TriedPoints tried;

@@ -35,7 +35,7 @@ Polygon over_face(const Corners& face, const Vector3& normal, const Corners& oth
   std::array<int, 3> outside{};  // how many corners are beside the plane
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector3 edge = face[(k + 1) % 3] - face[k];
-    inward[k] = normal.cross(edge).normalized();
+    inward[k] = normal.cross(edge);  // its length changes nothing
     for (const Vector3& p : other) outside[k] += (p - face[k]).dot(inward[k]) < 0.0 ? 1 : 0;
     if (outside[k] == 3) return polygon;
   }

@@ -96,7 +96,8 @@ TEST(FindGap, BracketsTheGapWithinTheRelativeErrorAndTheCap) {
 
 TEST(FindPairsWithin, IsTheBruteForceSet) {
   Random random(13);
-  std::vector<TrianglePair> found;
+  std::vector<ClosePair> found;
+  std::vector<TrianglePair> maybe;
   for (const MeshPair& pair : mesh_pairs()) {
     for (int i = 0; i < 10; ++i) {
       const Pose X_AB = random_pose(random);
@@ -112,9 +113,18 @@ TEST(FindPairsWithin, IsTheBruteForceSet) {
           });
       find_pairs_within(pair.a, pair.b, X_AB, limit, found);
       std::vector<std::pair<int, int>> sorted;
-      for (const TrianglePair& p : found) sorted.emplace_back(p.a, p.b);
+      for (const ClosePair& p : found) {
+        sorted.emplace_back(p.pair.a, p.pair.b);
+        ASSERT_NEAR(p.distance, triangle_gap(pair.a, pair.b, X_AB, p.pair).distance, 1e-12);
+        if (p.distance > 0.0) ASSERT_NEAR((p.on_a_A - p.on_b_A).norm(), p.distance, 1e-12);
+      }
       std::sort(sorted.begin(), sorted.end());
       ASSERT_EQ(sorted, expected) << pair.name << " pose " << i;
+      find_pairs_maybe_within(pair.a, pair.b, X_AB, limit, maybe);
+      std::vector<std::pair<int, int>> among;
+      for (const TrianglePair& p : maybe) among.emplace_back(p.a, p.b);
+      std::sort(among.begin(), among.end());
+      ASSERT_TRUE(std::includes(among.begin(), among.end(), expected.begin(), expected.end()));
     }
   }
 }
@@ -128,9 +138,9 @@ void expect_lists_near_pairs(const MeshPair& pair, const Pose& X_AB, const NearP
     listed.emplace(p.pair.a, p.pair.b);
   }
   ASSERT_EQ(listed.size(), near.pairs.size());
-  std::vector<TrianglePair> expected;
+  std::vector<ClosePair> expected;
   find_pairs_within(pair.a, pair.b, X_AB, limit, expected);
-  for (const TrianglePair& p : expected) ASSERT_TRUE(listed.contains({p.a, p.b}));
+  for (const ClosePair& p : expected) ASSERT_TRUE(listed.contains({p.pair.a, p.pair.b}));
 }
 
 TEST(FindNearPairs, ListsWhatIsNearAndBoundsTheRest) {
