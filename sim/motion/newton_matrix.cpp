@@ -43,26 +43,6 @@ void NewtonMatrix::add(Index row, Index column, const MatrixXd& block) {
   }
 }
 
-// A plain loop: most of a step is spent here, in columns of a few rows, for which the general
-// product costs more to set up than to carry out.
-void NewtonMatrix::add_to_column(Index row, Index begin, Index end, Index column,
-                                 const Eigen::MatrixX4d& columns, const Eigen::Vector4d& factors) {
-  const Index rows = columns.rows();
-  const double* a = columns.data();
-  const double* b = a + rows;
-  const double* c = b + rows;
-  const double* d = c + rows;
-  const auto entry = [&](Index r) {
-    return (a[r] * factors[0] + b[r] * factors[1]) + (c[r] * factors[2] + d[r] * factors[3]);
-  };
-  if (is_sparse_) {
-    for (Index r = begin; r < end; ++r) add_entry(row + r, column, entry(r));
-    return;
-  }
-  double* sum = &dense_(row, column);
-  for (Index r = begin; r < end; ++r) sum[r] += entry(r);
-}
-
 void NewtonMatrix::add_entry(Index row, Index column, double value) {
   entries_.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
 }
@@ -78,7 +58,10 @@ VectorXd NewtonMatrix::solve_symmetric(const VectorXd& b) {
 }
 
 VectorXd NewtonMatrix::solve(const VectorXd& b) {
-  if (!is_sparse_) return dense_.partialPivLu().solve(b);
+  if (!is_sparse_) {
+    const Eigen::PartialPivLU<Eigen::Ref<MatrixXd>> factor(dense_);
+    return factor.solve(b);
+  }
   Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(sparse());
   if (factor.info() != Eigen::Success) return no_solution(size_);
   return factor.solve(b);

@@ -14,16 +14,20 @@ class NewtonMatrix {
   // Zero, for so many velocities.
   void start(Eigen::Index size);
 
-  // Adds a block that begins there.
+  // Adds a block that begins there, or one number.
   void add(Eigen::Index row, Eigen::Index column, const Eigen::MatrixXd& block);
 
-  // Adds `columns` times `factors`, below each other from `row` on: those of their rows from
-  // `begin` up to `end`.
-  void add_to_column(Eigen::Index row, Eigen::Index begin, Eigen::Index end, Eigen::Index column,
-                     const Eigen::MatrixX4d& columns, const Eigen::Vector4d& factors);
+  void add(Eigen::Index row, Eigen::Index column, double value) {
+    if (is_sparse_) {
+      add_entry(row, column, value);
+    } else {
+      dense_(row, column) += value;
+    }
+  }
 
   // The solution x of (this) x = b. Of a symmetric matrix, which is positive definite, only what is
-  // on and below the diagonal counts. Not finite where the matrix is singular.
+  // on and below the diagonal counts. Not finite where the matrix is singular. Ends the use of the
+  // matrix until start().
   Eigen::VectorXd solve_symmetric(const Eigen::VectorXd& b);
   Eigen::VectorXd solve(const Eigen::VectorXd& b);
 

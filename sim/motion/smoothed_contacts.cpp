@@ -75,17 +75,21 @@ SmoothedContacts::SmoothedContacts(const ContactProblem& problem, std::vector<do
       centre_(problem.contacts.size(), ConeVector::Zero()),
       lift_(problem.contacts.size(), 0.0) {
   for (const ContactCondition& condition : problem.contacts) {
-    first_row_.push_back(rows_.size());
-    for (const JacobianBlock& block : condition.blocks) rows_.push_back(rows_of(block));
+    first_seen_.push_back(seen_.size());
+    for (const JacobianBlock& block : condition.blocks) {
+      for (Index row = 0; row < block.transposed.rows(); ++row) {
+        const ConeVector along = block.transposed.row(row).transpose();
+        if (!along.isZero(0.0)) seen_.push_back({block.first + row, along});
+      }
+    }
   }
+  first_seen_.push_back(seen_.size());
 }
 
-SmoothedContacts::Rows SmoothedContacts::rows_of(const JacobianBlock& block) {
-  const auto is_zero = [&](Index row) { return block.transposed.row(row).isZero(0.0); };
-  Rows rows{0, block.transposed.rows()};
-  while (rows.begin < rows.end && is_zero(rows.begin)) ++rows.begin;
-  while (rows.begin < rows.end && is_zero(rows.end - 1)) --rows.end;
-  return rows;
+ConeVector SmoothedContacts::relative(std::size_t i, const VectorXd& v) const {
+  ConeVector w = problem_.contacts[i].offset + problem_.contacts[i].correction;
+  for (const Seen& one : seen(i)) w += v[one.velocity] * one.along;
+  return w;
 }
 
 void SmoothedContacts::set_centre(std::size_t i, const ConeVector& impulse) {
@@ -104,7 +108,7 @@ ConeVector SmoothedContacts::pull(std::size_t i, ConeVector w, double lift) cons
 
 ConeVector SmoothedContacts::impulse(std::size_t i, const VectorXd& v, bool coupled) const {
   const ContactCondition& condition = problem_.contacts[i];
-  const ConeVector w = relative_velocity(condition, v);
+  const ConeVector w = relative(i, v);
   const double lift = coupled ? condition.friction * slip_of(w) : lift_[i];
   return allowed_impulse(condition, pull(i, w, lift)).point;
 }
@@ -119,7 +123,7 @@ double SmoothedContacts::energy(const VectorXd& v) const {
   }
   for (std::size_t i = 0; i < centre_.size(); ++i) {
     const ContactCondition& condition = problem_.contacts[i];
-    const ConeVector x = pull(i, relative_velocity(condition, v), lift_[i]);
+    const ConeVector x = pull(i, relative(i, v), lift_[i]);
     const ConeVector p = allowed_impulse(condition, x).point;
     // As p . (x - p / 2), since the squares would cancel far outside an interval.
     sum += p.dot(x - 0.5 * p) / stiffness(i);
@@ -136,33 +140,26 @@ void SmoothedContacts::start(const VectorXd& v, VectorXd& gradient) const {
 
 void SmoothedContacts::add_force(std::size_t i, const ConeVector& impulse,
                                  VectorXd& gradient) const {
-  for (const JacobianBlock& block : problem_.contacts[i].blocks) {
-    gradient.segment(block.first, block.transposed.rows()) -= block.transposed.lazyProduct(impulse);
-  }
+  for (const Seen& one : seen(i)) gradient[one.velocity] -= one.along.dot(impulse);
 }
 
+// Most of a step is spent here.
 void SmoothedContacts::add_stiffness(std::size_t i, const ConeMatrix& derivative, bool symmetric,
                                      NewtonMatrix& matrix) const {
   if (derivative.isZero(0.0)) return;
   const ConeMatrix stiff = stiffness(i) * derivative;
-  const std::vector<JacobianBlock>& blocks = problem_.contacts[i].blocks;
-  const Rows* const rows = &rows_[first_row_[i]];
   // A joint has one row.
   const bool is_joint = problem_.contacts[i].rows == 1;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    for (Index column = rows[b].begin; column < rows[b].end; ++column) {
-      const auto across = blocks[b].transposed.row(column).transpose();
-      ConeVector pulled = ConeVector::Zero();
-      if (is_joint) {
-        pulled[0] = stiff(0, 0) * across[0];
-      } else {
-        pulled.noalias() = stiff.lazyProduct(across);
-      }
-      for (std::size_t a = 0; a < blocks.size(); ++a) {
-        if (symmetric && blocks[a].first < blocks[b].first) continue;
-        matrix.add_to_column(blocks[a].first, rows[a].begin, rows[a].end, blocks[b].first + column,
-                             blocks[a].transposed, pulled);
-      }
+  for (const Seen& across : seen(i)) {
+    ConeVector pulled = ConeVector::Zero();
+    if (is_joint) {
+      pulled[0] = stiff(0, 0) * across.along[0];
+    } else {
+      pulled = stiff.lazyProduct(across.along);
+    }
+    for (const Seen& one : seen(i)) {
+      if (symmetric && one.velocity < across.velocity) continue;
+      matrix.add(one.velocity, across.velocity, one.along.dot(pulled));
     }
   }
 }
@@ -176,8 +173,7 @@ void SmoothedContacts::linearise(const VectorXd& v, VectorXd& gradient,
   }
   for (std::size_t i = 0; i < centre_.size(); ++i) {
     const ContactCondition& condition = problem_.contacts[i];
-    const ConeProjection p =
-        allowed_impulse(condition, pull(i, relative_velocity(condition, v), lift_[i]));
+    const ConeProjection p = allowed_impulse(condition, pull(i, relative(i, v), lift_[i]));
     add_force(i, p.point, gradient);
     add_stiffness(i, p.derivative, true, matrix);
   }
@@ -197,7 +193,7 @@ void SmoothedContacts::linearise_coupled(const VectorXd& v, VectorXd& residual,
   }
   for (std::size_t i = 0; i < centre_.size(); ++i) {
     const ContactCondition& condition = problem_.contacts[i];
-    const ConeVector w = relative_velocity(condition, v);
+    const ConeVector w = relative(i, v);
     const double slip = slip_of(w);
     const ConeProjection p = allowed_impulse(condition, pull(i, w, condition.friction * slip));
     ConeMatrix derivative = p.derivative;

@@ -1,6 +1,7 @@
 // A contact problem with each rigid condition replaced by a stiff spring.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -59,6 +60,17 @@ class SmoothedContacts {
   void residual_coupled(const Eigen::VectorXd& v, Eigen::VectorXd& residual) const;
 
  private:
+  // A velocity that a condition sees, and what one of it adds to the condition's rows: those of a
+  // finger are one in three of the hand's.
+  struct Seen {
+    Eigen::Index velocity = 0;
+    ConeVector along = ConeVector::Zero();
+  };
+
+  std::span<const Seen> seen(std::size_t i) const {
+    return {seen_.data() + first_seen_[i], first_seen_[i + 1] - first_seen_[i]};
+  }
+  ConeVector relative(std::size_t i, const Eigen::VectorXd& v) const;
   double stiffness(std::size_t i) const;
   ConeVector pull(std::size_t i, ConeVector w, double lift) const;
   void start(const Eigen::VectorXd& v, Eigen::VectorXd& gradient) const;
@@ -66,16 +78,9 @@ class SmoothedContacts {
   void add_stiffness(std::size_t i, const ConeMatrix& derivative, bool symmetric,
                      NewtonMatrix& matrix) const;
 
-  // The rows of a Jacobian block that are not 0: of those of a finger, one in three of the hand's.
-  struct Rows {
-    Eigen::Index begin = 0;
-    Eigen::Index end = 0;
-  };
-  static Rows rows_of(const JacobianBlock& block);
-
   const ContactProblem& problem_;
-  std::vector<Rows> rows_;              // of all blocks
-  std::vector<std::size_t> first_row_;  // of each condition, into rows_
+  std::vector<Seen> seen_;               // of all conditions
+  std::vector<std::size_t> first_seen_;  // of each condition, into seen_, and the end
   std::vector<double> inertia_;
   std::vector<ConeVector> centre_;
   std::vector<double> lift_;
