@@ -26,7 +26,8 @@ Report contacts_report(const std::string& name, const ContactsFile& file,
   // Without a hand there are no links, gaps or motion: a report of contacts has one grasp with its
   // wrench space only.
   for (const Contact& contact : file.contacts) grasp.contacts.push_back({contact});
-  grasp.detail = grasp_detail(file.contacts, {}, file.frame, judged.space, seed, context);
+  constexpr int kSamples = 100;
+  grasp.detail = grasp_detail(file.contacts, {}, file.frame, judged.space, seed, kSamples, context);
   grasp.detail->sections = space_sections(file.contacts, file.frame, judged.space);
   report.grasps.push_back(std::move(grasp));
   report.grasps_in_all = 1;

@@ -15,9 +15,6 @@ namespace {
 // Corners of the polyhedron that approximates a smooth set: enough for a drawing.
 constexpr int kMostPoints = 200;
 
-// Samples of perturbed contacts for robust epsilon. A report shows two digits of the result.
-constexpr int kSamples = 50;
-
 // Polytope of the wrench space. With the L1 norm and pyramids the space is the convex hull of the
 // wrenches of the pyramids' edges, which is exact; other spaces, those of many edges, and those on
 // which qhull fails are approximated from inside by points on their surface.
@@ -73,12 +70,12 @@ void add_shares(std::span<const Contact> contacts, std::span<const std::string> 
 
 GraspDetail grasp_detail(std::span<const Contact> contacts, std::span<const std::string> links,
                          const WrenchFrame& frame, const WrenchSpaceOptions& space,
-                         std::uint64_t seed, const RunContext& context) {
+                         std::uint64_t seed, int samples, const RunContext& context) {
   GraspDetail detail;
   if (contacts.empty()) return detail;
   NoiseOptions noise;
   noise.seed = seed;
-  noise.samples = kSamples;
+  noise.samples = samples;
   detail.robust = robust_epsilon(contacts, frame, space, noise, context);
   add_shares(contacts, links, frame, space, context, detail);
   return detail;

@@ -32,10 +32,11 @@ struct GraspDetail {
 };
 
 // The analysis without the sections. `links`: the name of the link of each contact (n), or empty
-// where there is no hand. Throws as wrench_space, and Cancelled.
+// where there is no hand. `samples`: of perturbed contacts, for robust epsilon. Throws as
+// wrench_space, and Cancelled.
 GraspDetail grasp_detail(std::span<const Contact> contacts, std::span<const std::string> links,
                          const WrenchFrame& frame, const WrenchSpaceOptions& space,
-                         std::uint64_t seed, const RunContext& context = {});
+                         std::uint64_t seed, int samples, const RunContext& context = {});
 
 // Sections of the wrench space of the contacts: forces without torque, and torques without force.
 // Spaces that are no polytope (exact cones, L-infinity norm) are approximated from inside.

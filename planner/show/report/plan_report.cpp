@@ -88,8 +88,11 @@ GraspDetail detail_of(const CompiledScene& scene, const ReportGrasp& grasp,
   WrenchSpaceOptions space;
   // The space in which the trial judged the grasp: L1 norm and pyramids.
   space.edges = record.options.trial.cone_edges;
-  GraspDetail detail =
-      grasp_detail(contacts, links, scene.wrench_frame, space, record.options.seed, context);
+  // A report shows two digits of what the samples are for. A plan in which not even the volumes are
+  // wanted gets a rougher figure.
+  const int samples = record.options.volumes ? 50 : 20;
+  GraspDetail detail = grasp_detail(contacts, links, scene.wrench_frame, space, record.options.seed,
+                                    samples, context);
   // Sections were computed with the volume, from the same hull, for as many grasps as were asked
   // for.
   if (scored.sections) detail.sections = *scored.sections;

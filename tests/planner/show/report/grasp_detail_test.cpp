@@ -23,7 +23,7 @@ using test::ring_grasp;
 const std::vector<std::string> kNoLinks;
 
 GraspDetail detail_of(const Contacts& contacts, const std::vector<std::string>& links = kNoLinks) {
-  return grasp_detail(contacts, links, {}, {}, 1);
+  return grasp_detail(contacts, links, {}, {}, 1, 50);
 }
 
 // By the full hull.
@@ -127,7 +127,7 @@ TEST(GraspDetail, LinksAreNamedOnceAndLeftOutWhole) {
 TEST(GraspDetail, RobustnessIsOfTheSeed) {
   const Contacts contacts = octahedron_grasp(0.7);
   const auto robust = [&](std::uint64_t seed) {
-    return grasp_detail(contacts, kNoLinks, {}, {}, seed).robust;
+    return grasp_detail(contacts, kNoLinks, {}, {}, seed, 50).robust;
   };
   EXPECT_EQ(robust(1).mean, robust(1).mean);
   EXPECT_NE(robust(1).mean, robust(2).mean);
