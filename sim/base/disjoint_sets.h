@@ -20,6 +20,14 @@ class DisjointSets {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
 
+  // Adds single elements until there are n, which takes no time where there are.
+  void extend(std::size_t n) {
+    while (parent_.size() < n) parent_.push_back(parent_.size());
+  }
+
+  // Makes i a set of its own again, where that is done to all members of its set.
+  void separate(std::size_t i) { parent_[i] = i; }
+
   // The representative of the set that contains element i: its smallest member. Shortens the
   // searched path by half.
   std::size_t find(std::size_t i) {

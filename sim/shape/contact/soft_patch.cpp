@@ -31,8 +31,9 @@ void add_pressed(const PlacedTriangle& object, const PlacedTriangle& link, const
   const double facing = -outward.dot(up);
   if (facing <= 0.0) return;  // or one has no normal
   const Corners on_link = moved(link.corner, X_OL);
-  Polygon pressed = cut(over_face(on_link, up, on_object), on_link[0], up);
-  pressed = cut(pressed, on_link[0] + depth * up, -up);
+  Polygon pressed = over_face(on_link, up, on_object);
+  cut(pressed, on_link[0], up);
+  cut(pressed, on_link[0] + depth * up, -up);
   for (std::size_t k = 2; k < pressed.size; ++k) {
     PressedPart part;
     part.corners = {pressed.corner[0], pressed.corner[k - 1], pressed.corner[k]};
@@ -52,34 +53,26 @@ void add_pressed(const PlacedTriangle& object, const PlacedTriangle& link, const
 }
 
 // Lists the parts patch by patch. Parts whose triangles share a vertex of the object are connected.
-// The vertices met are numbered in the mesh's order and a patch has the number of its first one, so
-// that patches come in an order that depends on the mesh alone. The parts of a patch keep theirs.
+// A patch has the number of its first vertex, so that patches come in an order that depends on the
+// mesh alone. The parts of a patch keep theirs.
 void order_by_patch(const TriangleMesh& object, SoftPatchWorkspace& workspace) {
-  std::vector<int>& vertices = workspace.vertices;
   const auto triangle_of = [&](const PressedPart& part) -> const Triangle& {
-    return object.triangles[static_cast<std::size_t>(part.triangle)];
+    return object.triangles[index(part.triangle)];
   };
-  vertices.clear();
+  DisjointSets& connected = workspace.connected;
+  connected.extend(object.vertices.size());
   for (const PressedPart& part : workspace.parts) {
     const Triangle& t = triangle_of(part);
-    vertices.insert(vertices.end(), t.begin(), t.end());
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  const auto number = [&](int vertex) {
-    return static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), vertex) -
-                                    vertices.begin());
-  };
-  workspace.connected.start(vertices.size());
-  for (const PressedPart& part : workspace.parts) {
-    const Triangle& t = triangle_of(part);
-    workspace.connected.merge(number(t[0]), number(t[1]));
-    workspace.connected.merge(number(t[0]), number(t[2]));
+    connected.merge(index(t[0]), index(t[1]));
+    connected.merge(index(t[0]), index(t[2]));
   }
   workspace.order.clear();
   for (std::size_t i = 0; i < workspace.parts.size(); ++i) {
-    const Triangle& t = triangle_of(workspace.parts[i]);
-    workspace.order.emplace_back(workspace.connected.find(number(t[0])), i);
+    workspace.order.emplace_back(connected.find(index(triangle_of(workspace.parts[i])[0])), i);
+  }
+  // All single again, for the next time: few of the object's vertices were met.
+  for (const PressedPart& part : workspace.parts) {
+    for (const int v : triangle_of(part)) connected.separate(index(v));
   }
   std::sort(workspace.order.begin(), workspace.order.end());
 }
@@ -105,6 +98,12 @@ std::optional<double> way_out_through(const PressedPart& part, const Vector3& ce
   if (cosine < kLeastCosine) return std::nullopt;
   Corners flat = part.corners;  // seen along the line
   for (Vector3& corner : flat) corner -= (corner - center).dot(normal) * normal;
+  // Most parts are all on one side of the line.
+  const Vector3 lower = flat[0].cwiseMin(flat[1]).cwiseMin(flat[2]).array() - kBeside;
+  const Vector3 upper = flat[0].cwiseMax(flat[1]).cwiseMax(flat[2]).array() + kBeside;
+  if ((center.array() < lower.array()).any() || (center.array() > upper.array()).any()) {
+    return std::nullopt;
+  }
   if ((nearest_point_on(flat, center) - center).norm() > kBeside) return std::nullopt;
   return (center - part.corners[0]).dot(part.normal) / cosine;
 }

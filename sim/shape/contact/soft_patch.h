@@ -40,8 +40,7 @@ struct PressedPart {
 struct SoftPatchWorkspace {
   std::vector<TrianglePair> pairs;
   std::vector<PressedPart> parts;
-  std::vector<int> vertices;  // of the object, that the parts' triangles have, ascending
-  DisjointSets connected;     // of places in `vertices`
+  DisjointSets connected;  // of the object's vertices; all single between two uses
   std::vector<std::pair<std::size_t, std::size_t>> order;  // patch and part, patch by patch
   std::vector<PressedPart> patch;                          // the parts of one patch
 };

@@ -1,5 +1,7 @@
 #include "sim/shape/contact/triangle_overlap.h"
 
+#include <algorithm>
+
 namespace prehend {
 
 Corners moved(const Corners& corners, const Pose& X) {
@@ -12,17 +14,25 @@ Vector3 unit_normal(const Corners& corners) {
 
 // Sutherland and Hodgman's polygon clipping against one plane. Corners on the plane are kept; an
 // edge that crosses it from one side to the other adds the crossing point.
-Polygon cut(const Polygon& polygon, const Vector3& a, const Vector3& inward) {
+void cut(Polygon& polygon, const Vector3& a, const Vector3& inward) {
+  std::array<double, Polygon::kMost> inside;
+  double least = 0.0;
+  for (std::size_t i = 0; i < polygon.size; ++i) {
+    inside[i] = (polygon.corner[i] - a).dot(inward);
+    least = std::min(least, inside[i]);
+  }
+  if (least == 0.0) return;
   Polygon rest;
   for (std::size_t i = 0; i < polygon.size; ++i) {
+    const std::size_t next = (i + 1) % polygon.size;
     const Vector3& p = polygon.corner[i];
-    const Vector3& q = polygon.corner[(i + 1) % polygon.size];
-    const double dp = (p - a).dot(inward);
-    const double dq = (q - a).dot(inward);
+    const Vector3& q = polygon.corner[next];
+    const double dp = inside[i];
+    const double dq = inside[next];
     if (dp >= 0.0) rest.push(p);
     if ((dp > 0.0 && dq < 0.0) || (dp < 0.0 && dq > 0.0)) rest.push(p + (dp / (dp - dq)) * (q - p));
   }
-  return rest;
+  polygon = rest;
 }
 
 // Clips the triangle to the infinite prism over the face, which is bounded by the planes through
@@ -41,7 +51,7 @@ Polygon over_face(const Corners& face, const Vector3& normal, const Corners& oth
   }
   for (const Vector3& p : other) polygon.push(p);
   for (std::size_t k = 0; k < 3; ++k) {
-    if (outside[k] > 0) polygon = cut(polygon, face[k], inward[k]);
+    if (outside[k] > 0) cut(polygon, face[k], inward[k]);
   }
   return polygon;
 }
