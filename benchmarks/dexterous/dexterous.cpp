@@ -1,7 +1,7 @@
 // Hands of many joints, as planners for graphics processors are measured: grasps that hold and
 // overlap nothing, a second, and how many of the best survive DexGraspBench's pulls in MuJoCo.
 //
-//   dexterous [--trials N] [--grasps N] [--hand HAND]... MESH...
+//   dexterous [--trials N] [--grasps N] [--hand HAND]... MESH...     --grasps 0: no MuJoCo
 //
 // HAND: a name of the library or a robot file. For each hand a line of a table in Markdown, over
 // all meshes. A grasp counts where its trial ended in force closure and FCL finds no link of the
@@ -171,7 +171,7 @@ int run(const std::vector<std::string>& words) {
     for (const std::string& mesh : arguments.meshes) {
       try {
         search(mesh, hand, procedure, arguments.trials, tally);
-        pull(mesh, hand, procedure, arguments.grasps, tally);
+        if (arguments.grasps > 0) pull(mesh, hand, procedure, arguments.grasps, tally);
         ++tally.meshes;
       } catch (const InputError& error) {
         std::fprintf(stderr, "%s, %s: left out: %s\n", hand.c_str(), mesh.c_str(), error.what());

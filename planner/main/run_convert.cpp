@@ -19,13 +19,14 @@ struct ConvertCommand {
 };
 
 void declare(CLI::App& command, ConvertCommand& options) {
-  add_examples(command,
-               {"convert gripper.urdf gripper.json", "convert bottle.stl bottle.obj --unit mm"});
+  add_examples(command, {"convert gripper.urdf gripper.json", "convert panda panda.xrdf",
+                         "convert bottle.stl bottle.obj --unit mm"});
   command.add_option("source", options.source, "robot or mesh file, or a robot of the library")
       ->required();
   command
       .add_option("target", options.target,
-                  "file to write: .json or .urdf for a robot, .obj .stl .ply .off for a mesh")
+                  "file to write: .json or .urdf for a robot, .xrdf or .srdf with its spheres, "
+                  ".obj .stl .ply .off for a mesh")
       ->required();
   add_unit(command, options.unit);
   add_foreign(command, options.packages, options.srdf);

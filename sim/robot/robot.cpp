@@ -94,6 +94,14 @@ std::vector<int> joints_to(const Robot& robot, int joint) {
   return path;
 }
 
+Pose own_frame(const Robot& robot, std::size_t link) {
+  const Link& its = robot.links[link];
+  for (const RobotFrame& frame : robot.frames) {
+    if (link > 0 && frame.name == its.name && frame.joint == its.joint) return frame.X_AF;
+  }
+  return Pose::Identity();
+}
+
 Pose across(const Joint& joint, double value) {
   return motion(joint, value + joint.zero) * joint.X_JA;
 }

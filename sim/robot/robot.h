@@ -220,6 +220,10 @@ const std::string& driver_name(const Joint& joint);
 // The first frame with that role; nullptr where there is none.
 const RobotFrame* frame_with(const Robot& robot, FrameRole role);
 
+// X_AL: the frame that the link had in the file from which the robot was read, in the frame after
+// its joint; the identity where that is the same or not known, and for the first link.
+Pose own_frame(const Robot& robot, std::size_t link);
+
 // The initial value of every degree of freedom [rad or m].
 std::vector<double> initial_dofs(const Robot& robot);
 

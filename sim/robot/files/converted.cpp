@@ -1,10 +1,17 @@
 #include "sim/robot/files/converted.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
 #include "sim/robot/files/foreign_robot.h"
 #include "sim/robot/files/platform_file.h"
+#include "sim/robot/files/sphere_model.h"
+#include "sim/robot/files/srdf_text.h"
 #include "sim/robot/files/urdf_text.h"
+#include "sim/robot/files/xrdf_text.h"
 #include "sim/shape/files/mesh_file.h"
 #include "sim/shape/files/mesh_text.h"
 
@@ -33,10 +40,11 @@ std::vector<RobotTextFile> converted(const std::string& source, const std::files
     }
     return {{target.filename(), mesh_text(loaded.mesh, target)}};
   }
-  if (extension != ".json" && extension != ".urdf") {
+  constexpr std::array<std::string_view, 4> kRobots = {".json", ".urdf", ".xrdf", ".srdf"};
+  if (std::find(kRobots.begin(), kRobots.end(), extension) == kRobots.end()) {
     throw InputError({.file = target.string(),
-                      .problem = "unknown format to write, known are .json and .urdf for robots, "
-                                 ".obj .stl .ply .off for meshes",
+                      .problem = "unknown format to write, known are .json, .urdf, .xrdf and .srdf "
+                                 "for robots, .obj .stl .ply .off for meshes",
                       .value = extension});
   }
   ForeignRobotOptions options = foreign;
@@ -51,7 +59,10 @@ std::vector<RobotTextFile> converted(const std::string& source, const std::files
   for (const MountedRobot& mounted : platform.robots) {
     notes.insert(notes.end(), mounted.robot.notes.begin(), mounted.robot.notes.end());
   }
-  return extension == ".urdf" ? urdf_text(platform, target) : platform_text(platform, target);
+  if (extension == ".urdf") return urdf_text(platform, target);
+  if (extension == ".xrdf") return {{target.filename(), xrdf_text(sphere_model(platform))}};
+  if (extension == ".srdf") return {{target.filename(), srdf_text(sphere_model(platform))}};
+  return platform_text(platform, target);
 }
 
 }  // namespace prehend

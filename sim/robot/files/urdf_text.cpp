@@ -12,6 +12,7 @@
 #include "sim/base/number_text.h"
 #include "sim/base/xml/xml_text.h"
 #include "sim/robot/files/robot_text_parts.h"
+#include "sim/robot/files/urdf_form.h"
 #include "sim/robot/files/urdf_geometry.h"
 #include "sim/robot/sound_robot.h"
 #include "sim/shape/files/mesh_text.h"
@@ -47,70 +48,6 @@ void write_inertial(XmlText& xml, const Inertial& inertial) {
                           {"iyz", shortest_text(I(1, 2))},
                           {"izz", shortest_text(I(2, 2))}});
   xml.close();
-}
-
-// The joint that stands for the degree of freedom, -1: it drives none.
-int leader_of(const Robot& robot, int dof) {
-  int leader = -1;
-  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-    const Joint& joint = robot.joints[j];
-    if (joint.dof != dof) continue;
-    if (leader < 0) leader = static_cast<int>(j);
-    if (joint.ratio == 1.0 && joint.offset == 0.0) return static_cast<int>(j);
-  }
-  return leader;
-}
-
-// Values of the degree of freedom are ratio * old + offset from now on.
-void change_variable(Robot& robot, int dof, double ratio, double offset) {
-  DegreeOfFreedom& motion = robot.dofs[index(dof)];
-  const auto changed = [&](double value) { return ratio * value + offset; };
-  motion.lower = changed(motion.lower);
-  motion.upper = changed(motion.upper);
-  if (ratio < 0.0) std::swap(motion.lower, motion.upper);
-  motion.initial = changed(motion.initial);
-  motion.closing_velocity *= ratio;
-  motion.max_velocity *= std::abs(ratio);
-  motion.max_acceleration *= std::abs(ratio);
-  // Efforts of the new variable are 1 / ratio times those of the old one.
-  if (motion.stiffness) *motion.stiffness /= ratio * ratio;
-  if (motion.damping) *motion.damping /= ratio * ratio;
-  for (Joint& joint : robot.joints) {
-    if (joint.dof != dof) continue;
-    joint.ratio /= ratio;
-    joint.offset -= joint.ratio * offset;
-  }
-  if (!robot.hand) return;
-  for (Preshape& preshape : robot.hand->preshapes) {
-    preshape.dofs[index(dof)] = changed(preshape.dofs[index(dof)]);
-  }
-}
-
-// The same robot with `prefix` before the names of its chains, links and joints, except of joints
-// that the robot's driver has a name for, and every degree of freedom called after one
-// of its joints, whose value it is (ratio 1, offset 0): one that is so already, else the first.
-Robot urdf_form(Robot robot, const std::string& prefix) {
-  for (Joint& joint : robot.joints) {
-    joint.name = joint.driver_name.empty() ? prefix + joint.name : joint.driver_name;
-  }
-  for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
-    const int dof = static_cast<int>(d);
-    const int leader = leader_of(robot, dof);
-    if (leader < 0) continue;
-    Joint& joint = robot.joints[index(leader)];
-    if (joint.ratio != 1.0 || joint.offset != 0.0) {
-      change_variable(robot, dof, joint.ratio, joint.offset);
-      joint.ratio = 1.0;
-      joint.offset = 0.0;
-    }
-    robot.dofs[d].name = joint.name;
-  }
-  const auto rename = [&](auto& named) {
-    for (auto& one : named) one.name = prefix + one.name;
-  };
-  rename(robot.chains);
-  rename(robot.links);
-  return robot;
 }
 
 class UrdfWriter {
@@ -160,14 +97,6 @@ std::string UrdfWriter::mesh_file(const std::string& link) {
   std::string name = base;
   for (int k = 2; !mesh_names_.insert(name).second; ++k) name = base + "_" + std::to_string(k);
   return folder_ + "/" + name + ".obj";
-}
-
-// The frame that the link had in the file from which it comes, in that after its joint.
-Pose own_frame(const Robot& robot, const Link& link) {
-  for (const RobotFrame& frame : robot.frames) {
-    if (frame.name == link.name && frame.joint == link.joint) return frame.X_AF;
-  }
-  return Pose::Identity();
 }
 
 void UrdfWriter::write_link(const Link& link, const Pose& X_AL) {
@@ -238,8 +167,7 @@ void UrdfWriter::write_robot(const Robot& robot) {
   for (const Link& link : robot.links) links_.insert(link.name);
   for (std::size_t l = 0; l < robot.links.size(); ++l) {
     const Link& link = robot.links[l];
-    // The base frame is that of the first link.
-    const Pose X_AL = l == 0 ? Pose::Identity() : own_frame(robot, link);
+    const Pose X_AL = own_frame(robot, l);
     write_link(link, X_AL);
     if (l == 0) continue;
     if (link.joint >= 0 && frames[index(link.joint)].empty() && is_identity(X_AL)) {
@@ -317,8 +245,7 @@ std::vector<RobotTextFile> UrdfWriter::write() {
     require_sound(mounted.robot);
     require(!mounted.robot.hand || mounted.robot.hand->cups.empty(),
             {.field = mounted.robot.name, .problem = "URDF has no suction cups: write a .json"});
-    const std::string prefix = platform_.robots.size() > 1 ? mounted.name + "_" : "";
-    robots_.push_back(urdf_form(mounted.robot, prefix));
+    robots_.push_back(urdf_form(platform_, mounted));
     write_robot(robots_.back());
     if (mounted.parent >= 0) write_mount(mounted, robots_.back());
   }

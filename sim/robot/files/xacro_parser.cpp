@@ -13,7 +13,7 @@
 namespace prehend {
 namespace {
 
-constexpr std::size_t kLongest = 2000;
+constexpr std::size_t kLongestExpression = 2000;
 constexpr int kDeepestNesting = 50;
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
@@ -23,7 +23,7 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 class XacroParser {
  public:
   explicit XacroParser(std::string_view text) : text_(text), rest_(text) {
-    if (text.size() > kLongest) fail("is longer than 2,000 characters");
+    if (text.size() > kLongestExpression) fail("is longer than 2,000 characters");
   }
 
   XacroNode whole() {

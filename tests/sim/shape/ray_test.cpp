@@ -61,6 +61,15 @@ TEST(FirstHit, AlongAnAxisOfTheFrame) {
   }
 }
 
+// Nodes with fewer children than lanes have lanes far away on the diagonal, which no ray may meet.
+TEST(FirstHit, AlongTheDiagonalOfTheFrameIsOfTriangles) {
+  const ProximityMesh box(make_box({0.2, 0.2, 0.2}));
+  const Vector3 diagonal = Vector3::Ones().normalized();
+  EXPECT_EQ(first_hit(box, {1.0, 1.0, 1.0}, diagonal).triangle, -1);
+  EXPECT_GE(first_hit(box, {-1.0, -1.0, -1.0}, diagonal).triangle, 0);
+  EXPECT_EQ(first_hit(box, {-1.0, -1.0, -1.0}, -diagonal).triangle, -1);
+}
+
 TEST(FirstHit, BeyondTheCapIsNone) {
   const ProximityMesh box(make_box({0.2, 0.2, 0.2}));
   EXPECT_EQ(first_hit(box, {0.01, 0.02, 0.0}, Vector3::UnitX(), 0.089).triangle, -1);
