@@ -60,9 +60,7 @@ class Pairing {
 
   TogetherResult run() {
     find_pairs();
-    lift_best();
-    if (options_.paths) plan_paths();
-    if (result_.grasps.size() > index(options_.top)) result_.grasps.resize(index(options_.top));
+    try_best();
     return std::move(result_);
   }
 
@@ -130,35 +128,32 @@ class Pairing {
 
   // In groups of as many as are still wanted, so that the same pairs are lifted on any number of
   // threads.
-  void lift_best() {
+  void try_best() {
     const std::size_t most = std::min(bearing_.size(), index(options_.lifts));
     std::size_t next = 0;
     while (next < most && result_.grasps.size() < index(options_.top)) {
       const std::size_t count = std::min(index(options_.top) - result_.grasps.size(), most - next);
-      for_each_in_parallel(count, context_.threads, [&](std::size_t i) {
-        SharedGrasp& pair = bearing_[next + i];
-        pair.lift = lift_together(hands_of(pair), options_.lift, context_);
-      });
+      for_each_in_parallel(count, context_.threads,
+                           [&](std::size_t i) { try_one(bearing_[next + i]); });
       for (std::size_t i = next; i < next + count; ++i) {
-        if (bearing_[i].lift.end == SharedLiftEnd::lifted) result_.grasps.push_back(bearing_[i]);
+        if (bearing_[i].lift.end != SharedLiftEnd::lifted) continue;
+        ++result_.lifted;
+        if (!options_.paths || bearing_[i].paths) result_.grasps.push_back(bearing_[i]);
       }
       next += count;
     }
     result_.tried = static_cast<int>(next);
-    result_.lifted = static_cast<int>(result_.grasps.size());
   }
 
-  void plan_paths() {
-    std::vector<SharedGrasp>& pairs = result_.grasps;
+  // Lifts the object, and plans the paths of a pair that keeps it.
+  void try_one(SharedGrasp& pair) const {
+    pair.lift = lift_together(hands_of(pair), options_.lift, context_);
+    if (!options_.paths || pair.lift.end != SharedLiftEnd::lifted) return;
     GraspPathOptions paths = *options_.paths;
     paths.lift.height = options_.lift.height;
-    for_each_in_parallel(pairs.size(), context_.threads, [&](std::size_t i) {
-      const std::array<SharedHold, 2> holds = {
-          {{plans_[0].scene, grasp_of(0, pairs[i].grasps[0])},
-           {plans_[1].scene, grasp_of(1, pairs[i].grasps[1])}}};
-      pairs[i].paths = plan_shared_paths(holds, paths, context_);
-    });
-    std::erase_if(pairs, [](const SharedGrasp& pair) { return !pair.paths; });
+    const std::array<SharedHold, 2> holds = {{{plans_[0].scene, grasp_of(0, pair.grasps[0])},
+                                              {plans_[1].scene, grasp_of(1, pair.grasps[1])}}};
+    pair.paths = plan_shared_paths(holds, paths, context_);
   }
 
   const std::array<HandPlan, 2>& plans_;

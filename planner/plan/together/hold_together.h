@@ -20,7 +20,7 @@ struct TogetherOptions {
   int lifts = 12;
   double apart = 2e-3;
   SharedLiftOptions lift;
-  // Set: paths of both arms, and pairs without are left out; both scenes need an arm.
+  // Set: paths of both arms, and pairs without are passed over; both scenes need an arm.
   std::optional<GraspPathOptions> paths;
 };
 
@@ -31,7 +31,7 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("pool", pool, kCountAbove0, "",
         "So many grasps of each hand are paired: the best, and those that are farthest from them.");
   visit("lifts", lifts, kCount, "",
-        "So many pairs, the best ones, are lifted in simulation at most.");
+        "So many pairs, the best ones, are lifted in simulation at most, until there are enough.");
   visit("apart", apart, kDistance, "m", "The least gap between the two robots in their grasps.");
   visit("lift", lift, "How the hands lift.");
   visit.unlisted("paths", paths, "Set: paths of both arms are planned.");
