@@ -162,10 +162,8 @@ void print(const std::string& name, const HandTally& tally) {
 int run(const std::vector<std::string>& words) {
   const Arguments arguments = read_arguments(words);
   const TestProcedure procedure = read_test_procedure(find_test_procedure("dexgraspbench"));
-  std::printf(
-      "| hand | degrees of freedom | objects | trials a second | hold | overlap | grasps a second "
-      "| "
-      "survive in MuJoCo |\n|---|---|---|---|---|---|---|---|\n");
+  std::printf("| hand | degrees of freedom | objects | trials a second | hold | overlap | ");
+  std::printf("grasps a second | survive in MuJoCo |\n|---|---|---|---|---|---|---|---|\n");
   for (const std::string& hand : arguments.hands) {
     HandTally tally;
     for (const std::string& mesh : arguments.meshes) {
