@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -26,13 +28,16 @@ using namespace prehend::bench;  // NOLINT(google-build-using-namespace)
 
 constexpr const char* kResultsFile = "results.json";
 
-// The page and its plots. Plots of an earlier page that this one does not have are removed.
+// The page and its plots. Plots of an earlier page that this one does not have are removed; those
+// of other programs are not named in it.
 void write_page(const Results& results, const std::filesystem::path& folder) {
   const std::vector<PageFile> files = page_of(results);
+  std::ostringstream earlier;
+  earlier << std::ifstream(folder / "results.md").rdbuf();
   remove_regular_files(folder, [&](const std::string& name) {
     const bool ours = std::any_of(files.begin(), files.end(),
                                   [&](const PageFile& file) { return file.name == name; });
-    return name.ends_with(".svg") && !ours;
+    return name.ends_with(".svg") && !ours && earlier.str().find(name) != std::string::npos;
   });
   for (const PageFile& file : files) write_file(folder / file.name, file.content);
   std::printf("%s\n", (folder / "results.md").c_str());
