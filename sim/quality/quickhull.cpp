@@ -184,7 +184,8 @@ std::optional<HullGrowth<3>::Simplex> spanning_points(const Eigen::Matrix3Xd& po
   if (!(aside > kFlat * length)) return std::nullopt;
   simplex[2] = points.col(at);
   const Eigen::Vector3d normal = along.cross(Eigen::Vector3d(ways.col(at))).normalized();
-  const double up = (normal.transpose() * ways).cwiseAbs().maxCoeff(&at);
+  const Eigen::RowVectorXd heights = normal.transpose() * ways;
+  const double up = heights.cwiseAbs().maxCoeff(&at);
   if (!(up > kFlat * length)) return std::nullopt;
   simplex[3] = points.col(at);
   return simplex;
