@@ -134,7 +134,8 @@ class Adviser {
   std::vector<const Trial*> touching_without_force_closure() const {
     std::vector<const Trial*> all;
     for (const Trial& trial : tried_) {
-      if (trial.outcome == Outcome::not_force_closure) all.push_back(&trial);
+      const bool touches = trial.outcome == Outcome::not_force_closure;
+      if (touches && !trial.contacts.empty()) all.push_back(&trial);
     }
     std::vector<const Trial*> some;
     const std::size_t count = std::min(all.size(), kMostJudgements);

@@ -153,7 +153,7 @@ Attempts search(const CompiledScene& scene, const PlanOptions& options, const Ru
   context.cancellation.check();
   SearchResult found =
       search_grasps(scene, result.primitives, options.candidates, options.search, options.trial,
-                    until(shares(options).trials, context), listener);
+                    until(shares(options).trials, context), listener, KeptTrials::holding);
   result.smallest_width = found.smallest_width;
   result.largest_opening = found.largest_opening;
   result.families = found.families;

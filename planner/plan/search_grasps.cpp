@@ -22,19 +22,29 @@ constexpr double kThinPartsAfter = 0.2;
 // followed.
 constexpr double kThinPartsLeast = 0.06;
 
+// KeptTrials::holding.
+void forget_contacts(Trial& trial) {
+  trial.contacts = std::vector<GraspContact>();
+  trial.dofs = std::vector<double>();
+  trial.joints = std::vector<double>();
+  trial.arm_line = std::vector<DofValues>();
+  trial.arm_dofs = DofValues();
+}
+
 class GraspSearch {
  public:
   // `ordered`: the proposals of the sequence by a model; null: in their own order.
   GraspSearch(const CompiledScene& scene, ProposalSequence& sequence, OrderedProposals* ordered,
               const SearchOptions& options, const TrialOptions& trial, const RunContext& context,
-              const FoundListener& found)
+              const FoundListener& found, KeptTrials kept)
       : scene_(scene),
         sequence_(sequence),
         ordered_(ordered),
         options_(options),
         trial_(trial),
         context_(context),
-        found_(found) {
+        found_(found),
+        kept_(kept) {
     trial_.back_off_tries = 0;
   }
 
@@ -221,9 +231,15 @@ class GraspSearch {
       ordered_->tell(result_.proposed.back(), holds ? trial.epsilon.lower : 0.0);
     }
     if (trial.outcome == Outcome::stable) {
+      if (stable_ == 0 && kept_ == KeptTrials::holding) {
+        std::for_each(result_.trials.begin(), result_.trials.end(), forget_contacts);
+      }
       ++stable_;
       add_parent({trial.preferred, trial.epsilon.lower, candidate, false});
       if (found_) found_(result_.proposed.back().candidate, trial);
+    }
+    if (trial.outcome != Outcome::stable && stable_ > 0 && kept_ == KeptTrials::holding) {
+      forget_contacts(trial);
     }
     result_.candidates.push_back(candidate);
     result_.trials.push_back(std::move(trial));
@@ -251,6 +267,7 @@ class GraspSearch {
   TrialOptions trial_;
   const RunContext& context_;
   const FoundListener& found_;
+  KeptTrials kept_;
   TrialWorkers workers_;
   SearchResult result_;
   int counted_ = 0;  // trials that were not blocked
@@ -274,7 +291,7 @@ class GraspSearch {
 SearchResult search_grasps(const CompiledScene& scene, const std::vector<Primitive>& primitives,
                            const CandidateOptions& candidates, const SearchOptions& search,
                            const TrialOptions& trial, const RunContext& context,
-                           const FoundListener& found) {
+                           const FoundListener& found, KeptTrials kept) {
   require_settings(candidates);
   require_settings(search);
   require_settings(trial);
@@ -283,7 +300,8 @@ SearchResult search_grasps(const CompiledScene& scene, const std::vector<Primiti
   if (search.learned) {
     ordered.emplace(scene, primitives, candidates, sequence, *search.learned);
   }
-  return GraspSearch(scene, sequence, ordered ? &*ordered : nullptr, search, trial, context, found)
+  return GraspSearch(scene, sequence, ordered ? &*ordered : nullptr, search, trial, context, found,
+                     kept)
       .run();
 }
 

@@ -25,6 +25,14 @@ enum class SearchEnd {
   cancelled
 };
 
+// What is kept of the trials.
+enum class KeptTrials {
+  whole,
+  // Where any holds, the others without their contacts and postures, which take more memory than
+  // all else of them: what a ranking needs, and advice where nothing holds.
+  holding
+};
+
 struct SearchResult {
   std::vector<ProposedGrasp> proposed;  // in the order of the search
   std::vector<Trial> trials;            // those that were finished
@@ -43,6 +51,6 @@ struct SearchResult {
 SearchResult search_grasps(const CompiledScene& scene, const std::vector<Primitive>& primitives,
                            const CandidateOptions& candidates, const SearchOptions& search,
                            const TrialOptions& trial, const RunContext& context = {},
-                           const FoundListener& found = {});
+                           const FoundListener& found = {}, KeptTrials kept = KeptTrials::whole);
 
 }  // namespace prehend

@@ -26,6 +26,24 @@ double angle_between(const Pose& X, const Pose& Y) {
   return Eigen::AngleAxisd(Matrix3(X.linear().transpose() * Y.linear())).angle();
 }
 
+// Of an object in a hand that stands still: what is slower than this for so long is not about to
+// slide or tip. Ten times stricter than what ends a closing, after which the hand goes on pressing.
+constexpr RestLimits kHeldStill{1e-5, 0.1};
+
+// Whether nothing new happens in the rest of a phase once everything rests.
+bool ends_at_rest(const ProcedurePhase& phase) {
+  switch (phase.kind) {
+    case PhaseKind::settle:
+    case PhaseKind::close:
+    case PhaseKind::open:
+      return true;
+    case PhaseKind::hold:
+      return !phase.pull_grows;
+    default:
+      return false;
+  }
+}
+
 // A direction of the protocol in world axes.
 Vector3 in_world(const Vector3& v, ProcedureFrame frame, const Hand& hand, const Pose& X_WO,
                  const Pose& X_WH) {
@@ -106,8 +124,7 @@ void PhaseRun::close_hand() {
 
 void PhaseRun::run_phase(const ProcedurePhase& phase) {
   begin(phase);
-  const bool may_end_early = phase.kind == PhaseKind::settle || phase.kind == PhaseKind::close;
-  Resting resting;
+  Resting resting(phase.kind == PhaseKind::hold ? kHeldStill : RestLimits{});
   for (double time = 0.0; time < phase.duration - 1e-9;) {
     context_.cancellation.check();
     const double step = std::min(setting_.procedure.step, phase.duration - time);
@@ -130,7 +147,7 @@ void PhaseRun::run_phase(const ProcedurePhase& phase) {
     if (phase.kind == PhaseKind::close && !closing_.is_full()) {
       closing_.look(closing_state(world_, setting_.hand, setting_.scene.scene.hand), done);
       close_hand();
-    } else if (rests && may_end_early) {
+    } else if (rests && ends_at_rest(phase)) {
       break;
     }
   }

@@ -46,8 +46,8 @@ double momentum_violation(const ContactProblem& problem, const std::vector<MassF
 
 }  // namespace
 
-double velocity_scale(const ContactProblem& problem, const VectorXd& v) {
-  double scale = std::max(problem.free.lpNorm<Eigen::Infinity>(), v.lpNorm<Eigen::Infinity>());
+double free_velocity_scale(const ContactProblem& problem) {
+  double scale = problem.free.lpNorm<Eigen::Infinity>();
   for (const ContactCondition& condition : problem.contacts) {
     if (condition.compliance > 0.0) continue;
     scale = std::max(scale, relative_velocity(condition, problem.free).lpNorm<Eigen::Infinity>());
@@ -56,19 +56,20 @@ double velocity_scale(const ContactProblem& problem, const VectorXd& v) {
 }
 
 double violation_of(const ContactProblem& problem, const std::vector<MassFactor>& masses,
-                    const std::vector<double>& inertias, const VectorXd& v,
+                    const std::vector<double>& inertias, double scale, const VectorXd& v,
                     const std::vector<ConeVector>& impulses) {
   double most = momentum_violation(problem, masses, v, impulses);
   for (std::size_t i = 0; i < problem.contacts.size(); ++i) {
     most = std::max(most, violation_of(problem.contacts[i], inertias[i], v, impulses[i]));
   }
-  return most / velocity_scale(problem, v);
+  return most / std::max(scale, v.lpNorm<Eigen::Infinity>());
 }
 
 double contact_violation(const ContactProblem& problem, const VectorXd& velocity,
                          const std::vector<Eigen::Vector4d>& impulses) {
   const std::vector<MassFactor> masses = mass_factors(problem);
-  return violation_of(problem, masses, felt_inertias(problem, masses), velocity, impulses);
+  return violation_of(problem, masses, felt_inertias(problem, masses), free_velocity_scale(problem),
+                      velocity, impulses);
 }
 
 }  // namespace prehend

@@ -8,12 +8,13 @@
 
 namespace prehend {
 
-// The largest velocity that occurs, to which violations are relative.
-double velocity_scale(const ContactProblem& problem, const Eigen::VectorXd& v);
+// The largest velocity that occurs without impulses of contacts; 1 where nothing moves.
+double free_velocity_scale(const ContactProblem& problem);
 
-// The violation of all conditions and of momentum, relative to the velocities that occur.
+// The violation of all conditions and of momentum, relative to the velocities that occur. `scale`:
+// free_velocity_scale.
 double violation_of(const ContactProblem& problem, const std::vector<MassFactor>& masses,
-                    const std::vector<double>& inertias, const Eigen::VectorXd& v,
+                    const std::vector<double>& inertias, double scale, const Eigen::VectorXd& v,
                     const std::vector<ConeVector>& impulses);
 
 // How far the velocities and impulses are from the law, as ContactSolution::violation.

@@ -143,7 +143,7 @@ class MultiplierRounds {
         smoothed_(problem, inertias_),
         velocity_(warm.velocity.size() > 0 ? warm.velocity : problem.free),
         lifts_(VectorXd::Zero(static_cast<Index>(problem.contacts.size()))),
-        scale_(velocity_scale(problem, problem.free)),
+        scale_(free_velocity_scale(problem)),
         is_cold_(warm.impulses.empty()),
         stiffness_(is_cold_ ? kFirstStiffness
                             : std::clamp(warm.stiffness, kFirstStiffness, kStiffness)) {
@@ -158,6 +158,7 @@ class MultiplierRounds {
     // Rounds without much progress, of a solution that will do and of one that will not.
     constexpr int kPatience = 2;
     constexpr int kMostPatience = 8;
+    constexpr double kNearlyThere = 100.0;  // of the tolerance
     ContactSolution best;
     best.violation = std::numeric_limits<double>::infinity();
     for (int round = 0; round < options_.max_rounds; ++round) {
@@ -167,6 +168,8 @@ class MultiplierRounds {
       const double found = violation();
       if (!std::isfinite(found)) break;
       note_progress(found < 0.5 * best.violation, found <= options_.acceptable);
+      // What is left of a round that ends early may then be more than what was left before it.
+      if (found < kNearlyThere * options_.tolerance) is_exact_ = true;
       if (found < best.violation) keep(found, best);
       // Where impulses may be shared in many ways, rounding and slow shifts between these are all
       // that is left to gain.
@@ -260,7 +263,7 @@ class MultiplierRounds {
   }
 
   double violation() const {
-    return violation_of(problem_, masses_, inertias_, velocity_, impulses_);
+    return violation_of(problem_, masses_, inertias_, scale_, velocity_, impulses_);
   }
 
   const ContactProblem& problem_;

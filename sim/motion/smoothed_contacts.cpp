@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "sim/base/index.h"
+
 namespace prehend {
 namespace {
 
@@ -15,6 +17,27 @@ VectorXd taken_up(const ContactProblem& problem, const ContactProblem::Mass& mas
   const Index size = mass.matrix.cols();
   const VectorXd change = v.segment(mass.first, size) - problem.free.segment(mass.first, size);
   return mass.matrix.lazyProduct(change);
+}
+
+// The squared norm of each column of L^-1 J', L the factor of the mass that J's block belongs to,
+// whose rows above the block are zero. `rows` is memory to work in.
+ConeVector squares_of_solution(const MassFactor& mass, const JacobianBlock& block,
+                               std::vector<ConeVector>& rows) {
+  const MatrixXd& factor = mass.factor.matrixLLT();
+  const Index size = factor.rows();
+  const Index begin = block.first - mass.first;
+  const Index end = begin + block.transposed.rows();
+  rows.clear();
+  ConeVector squares = ConeVector::Zero();
+  for (Index i = begin; i < size; ++i) {
+    ConeVector row = ConeVector::Zero();
+    if (i < end) row = block.transposed.row(i - begin).transpose();
+    for (Index k = begin; k < i; ++k) row -= factor(i, k) * rows[index(k - begin)];
+    row /= factor(i, i);
+    squares += row.cwiseAbs2();
+    rows.push_back(row);
+  }
+  return squares;
 }
 
 }  // namespace
@@ -53,16 +76,13 @@ std::vector<double> felt_inertias(const ContactProblem& problem,
   }
   std::vector<double> inertias;
   inertias.reserve(problem.contacts.size());
-  MatrixXd rows;
+  std::vector<ConeVector> rows;
   for (const ContactCondition& condition : problem.contacts) {
     double trace = 0.0;
     for (const JacobianBlock& block : condition.blocks) {
       const MassFactor& mass = *mass_at[static_cast<std::size_t>(block.first)];
-      rows.setZero(mass.factor.cols(), condition.rows);
-      rows.middleRows(block.first - mass.first, block.transposed.rows()) =
-          block.transposed.leftCols(condition.rows);
-      mass.factor.matrixL().solveInPlace(rows);
-      trace += rows.squaredNorm();
+      const ConeVector mobility = squares_of_solution(mass, block, rows);
+      trace += mobility.head(condition.rows).sum();
     }
     inertias.push_back(condition.rows / trace);
   }

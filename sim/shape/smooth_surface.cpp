@@ -7,7 +7,6 @@
 
 #include "sim/base/disjoint_sets.h"
 #include "sim/base/index.h"
-#include "sim/shape/nearest_point.h"
 #include "sim/shape/proximity.h"
 #include "sim/shape/weld.h"
 
@@ -101,6 +100,7 @@ Vector3 weights_at(const Corners& c, const Vector3& p) {
 Matrix3 curvature_of(const Corners& c, const CornerNormals& n, const Vector3& normal) {
   const Vector3 x = (c[1] - c[0]).normalized();
   const Vector3 y = normal.cross(x);
+  if (n[0] == n[1] && n[0] == n[2]) return Matrix3::Zero();
   Matrix3 sum = Matrix3::Zero();
   Vector3 right = Vector3::Zero();
   for (std::size_t k = 0; k < 3; ++k) {
@@ -119,19 +119,31 @@ Matrix3 curvature_of(const Corners& c, const CornerNormals& n, const Vector3& no
          abd[2] * y * y.transpose();
 }
 
-// Whether p, a point of triangle t, is on its edges or corners.
-bool is_on_border(const TriangleMesh& mesh, int t, const Vector3& p) {
+// Calls `look` with the triangles around p, a point of triangle t, besides t: where p is a corner
+// those that share it, where it is on an edge those that share that.
+template <typename Look>
+void look_around(const ProximityMesh& proximity, int t, const Vector3& p, const Look& look) {
+  const TriangleMesh& mesh = proximity.mesh();
+  const Triangle& triangle = mesh.triangles[index(t)];
   const Corners c = corners_of(mesh, t);
+  const auto look_at = [&](int u) {
+    if (u != t && !is_degenerate(mesh, index(u))) look(u);
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    if ((p - c[k]).norm() > kOnFeature) continue;
+    for (const int u : proximity.triangles_at(triangle[k])) look_at(u);
+    return;
+  }
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector3 way = c[(k + 1) % 3] - c[k];
-    if (way.cross(p - c[k]).norm() < kOnFeature * way.norm()) return true;
+    if (way.cross(p - c[k]).norm() > kOnFeature * way.norm()) continue;
+    const int other_end = triangle[(k + 1) % 3];
+    for (const int u : proximity.triangles_at(triangle[k])) {
+      const Triangle& beside = mesh.triangles[index(u)];
+      if (std::find(beside.begin(), beside.end(), other_end) != beside.end()) look_at(u);
+    }
+    return;
   }
-  return false;
-}
-
-bool is_on(const TriangleMesh& mesh, int t, const Vector3& p) {
-  return !is_degenerate(mesh, index(t)) &&
-         (nearest_point_on(corners_of(mesh, t), p) - p).norm() < kOnFeature;
 }
 
 }  // namespace
@@ -191,13 +203,7 @@ SmoothPoint smooth_point(const ProximityMesh& proximity, int t, const Vector3& p
     if (is_hollow) best.height += kMostSag;
   };
   if (!is_degenerate(mesh, index(t))) look(t);
-  if (is_on_border(mesh, t, p)) {
-    for (const int v : mesh.triangles[index(t)]) {
-      for (const int u : proximity.triangles_at(v)) {
-        if (u != t && is_on(mesh, u, p)) look(u);
-      }
-    }
-  }
+  look_around(proximity, t, p, look);
   best.is_sharp = along < std::cos(kSharp);
   return best;
 }
