@@ -56,6 +56,31 @@ TEST(SearchGrasps, TriesTheSameOnAnyNumberOfThreads) {
   expect_same(one, two, 200);
 }
 
+// A ranking needs the contacts of what holds, advice those of trials of which none holds.
+TEST(SearchGrasps, ForgetsTheContactsOfTrialsThatDoNotHold) {
+  const Searched mug = mug_to_search();
+  const auto search = [&](bool slips, KeptTrials kept) {
+    Scene scene = mug.scene.scene;
+    for (const Material of_hand : {Material::plastic, Material::metal, Material::rubber}) {
+      if (slips) scene.friction.set(of_hand, Material::plastic, 0.0);
+    }
+    return search_grasps(compile(std::move(scene)), mug.primitives, {}, {.trials = 100}, {}, {}, {},
+                         kept);
+  };
+  const SearchResult whole = search(false, KeptTrials::whole);
+  const SearchResult holding = search(false, KeptTrials::holding);
+  expect_same(whole, holding, 100);
+  for (std::size_t i = 0; i < 100; ++i) {
+    const Trial& kept = holding.trials[i];
+    EXPECT_EQ(kept.outcome == Outcome::stable, !kept.contacts.empty()) << i;
+    EXPECT_EQ(kept.joints.empty(), kept.contacts.empty()) << i;
+    EXPECT_FALSE(whole.trials[i].contacts.empty()) << i;
+  }
+  for (const Trial& trial : search(true, KeptTrials::holding).trials) {
+    EXPECT_FALSE(trial.contacts.empty());
+  }
+}
+
 // Likes thick places, of this hand.
 LearnedOrder order_by_thickness(const CompiledScene& scene) {
   auto model = std::make_shared<TreeModel>();

@@ -83,6 +83,29 @@ TEST_F(HeldCube, HangsWhereFrictionBearsItsWeightAndFallsWhereItDoesNot) {
   EXPECT_NEAR(falls.tests.back().failed_at, std::sqrt(2.0 * 0.01 / (0.1 * 9.81)), 0.01);
 }
 
+// Nothing new comes where all rests under a load that stays as it is. What slides with a thousandth
+// of g is no rest, and a load that grows has to be borne to the end.
+TEST_F(HeldCube, IsNoLongerWatchedWhereItRestsForGood) {
+  const CompiledScene scene = scene_of(0.1);
+  const GraspPosture grasp = posture_of(closed(scene));
+  const auto hand = hand_model(scene);
+  const double press = hand->effort[0] / hand->joints_of.col(0).cwiseAbs().sum();
+  const double needed = 0.1 * 9.81 / (2.0 * press);
+  const auto held = [&](const TestProcedure& procedure) {
+    return shake_grasp(scene, hand, grasp, procedure).tests.back();
+  };
+  const ShakeTestReport rests = held(hanging(1.1 * needed, 5.0));
+  EXPECT_EQ(rests.outcome, ShakeOutcome::survived);
+  EXPECT_GE(rests.phases.back().seconds, 0.1);
+  EXPECT_LT(rests.phases.back().seconds, 0.3);
+  const ShakeTestReport slides = held(hanging(0.999 * needed, 5.0));
+  EXPECT_EQ(slides.outcome, ShakeOutcome::moved);
+  TestProcedure tugged = hanging(1.1 * needed, 0.5);
+  tugged.tests.front().phases.front().pull = Vector3(0.0, 0.001, 0.0);
+  tugged.tests.front().phases.front().pull_grows = true;
+  EXPECT_NEAR(held(tugged).phases.back().seconds, 0.5, 1e-9);
+}
+
 // But the one that pulls until the grasp gives way.
 TEST_F(HeldCube, SurvivesEveryProtocolOfTheLibrary) {
   const CompiledScene floats = scene_of(0.1);
