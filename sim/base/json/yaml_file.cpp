@@ -1,6 +1,7 @@
 #include "sim/base/json/yaml_file.h"
 
 #include <charconv>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <yaml-cpp/yaml.h>
@@ -24,9 +25,23 @@ std::optional<Number> number_of(const std::string& text) {
   return value;
 }
 
+// Of a tag that names the unit of a number, as robot descriptions have them: in SI.
+// Source: https://wiki.ros.org/xacro, section "YAML support".
+std::optional<double> unit_of(const std::string& tag) {
+  if (tag == "!degrees") return std::numbers::pi / 180.0;
+  if (tag == "!radians" || tag == "!meters") return 1.0;
+  if (tag == "!millimeters") return 1e-3;
+  if (tag == "!foot") return 0.3048;
+  if (tag == "!inches") return 0.0254;
+  return std::nullopt;
+}
+
 Json scalar(const YAML::Node& node) {
   const std::string& text = node.Scalar();
   if (node.Tag() == "!") return text;  // in quotes
+  if (const auto unit = unit_of(node.Tag())) {
+    if (const auto number = number_of<double>(text)) return *unit * *number;
+  }
   if (text == "true" || text == "false") return text == "true";
   if (text == "~" || text == "null" || text.empty()) return nullptr;
   // Words that from_chars takes for numbers: nan, inf.

@@ -12,6 +12,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/number_text.h"
+#include "sim/robot/files/xacro_members.h"
 #include "sim/robot/files/xacro_parser.h"
 
 namespace prehend {
@@ -51,6 +52,7 @@ double number_of(const XacroValue& value, const std::string& needed_by) {
 bool is_true(const XacroValue& value) {
   if (const std::string* text = as_text(value)) return !text->empty();
   if (const auto* list = as_list(value)) return !list->empty();
+  if (const auto* map = as_map(value)) return !map->empty();
   if (std::holds_alternative<std::monostate>(value.value)) return false;
   return number_of(value, "a condition") != 0.0;
 }
@@ -63,6 +65,7 @@ bool equal(const XacroValue& a, const XacroValue& b) {
     return first && second &&
            std::equal(first->begin(), first->end(), second->begin(), second->end(), equal);
   }
+  if (as_map(a) || as_map(b)) return as_map(a) == as_map(b);
   const bool none = std::holds_alternative<std::monostate>(a.value);
   if (none || std::holds_alternative<std::monostate>(b.value))
     return a.value.index() == b.value.index();
@@ -72,6 +75,7 @@ bool equal(const XacroValue& a, const XacroValue& b) {
 bool contains(const XacroValue& part, const XacroValue& whole) {
   if (as_text(whole) && as_text(part))
     return as_text(whole)->find(*as_text(part)) != std::string::npos;
+  if (const auto* map = as_map(whole)) return map->contains(text_of(part));
   const auto* list = as_list(whole);
   if (!list) fail("in needs a list", text_of(whole));
   return std::any_of(list->begin(), list->end(),
@@ -153,8 +157,6 @@ XacroValue rounded(const std::string& name, const Values& values) {
                      true);
 }
 
-XacroValue literal_of(const std::string& text);
-
 XacroValue converted_to(const std::string& name, const XacroValue& value) {
   if (name == "str") return {text_of(value)};
   if (name == "bool") return {is_true(value)};
@@ -195,10 +197,11 @@ XacroValue called(const std::string& name, const Values& values, XacroWords& wor
   if (name == "len") {
     if (const std::string* text = as_text(values[0])) return {static_cast<long long>(text->size())};
     if (const auto* list = as_list(values[0])) return {static_cast<long long>(list->size())};
-    fail("len needs a text or a list");
+    if (const auto* map = as_map(values[0])) return {static_cast<long long>(map->size())};
+    fail("len needs a text, a list or a map");
   }
-  if (name == "arg" || name == "xacro.arg")
-    return literal_of(words.command("arg " + text_of(values[0])));
+  if (name == "arg") return literal_of(words.command("arg " + text_of(values[0])));
+  if (name == "load_yaml") return words.load_yaml(text_of(values[0]));
   for (const MathFunction& function : kFunctions) {
     if (function.name == name)
       return number_like(function.value(number_of(values[0], name)), false);
@@ -206,18 +209,6 @@ XacroValue called(const std::string& name, const Values& values, XacroWords& wor
   fail(
       "the function cannot be read here; expand the file with xacro first (xacro FILE > FILE.urdf)",
       name);
-}
-
-XacroValue element_of(const XacroValue& from, const XacroValue& which) {
-  const auto* list = as_list(from);
-  const std::string* text = as_text(from);
-  const auto whole = as_whole(which);
-  if ((!list && !text) || !whole) fail("only lists and texts have elements, by whole numbers");
-  const auto size = static_cast<long long>(list ? list->size() : text->size());
-  const long long at = *whole < 0 ? *whole + size : *whole;
-  if (at < 0 || at >= size) fail("there is no element of this number", text_of(which));
-  const auto k = static_cast<std::size_t>(at);
-  return list ? (*list)[k] : XacroValue{text->substr(k, 1)};
 }
 
 XacroValue constant_or_property(const std::string& name, XacroWords& words) {
@@ -245,11 +236,25 @@ XacroValue value_of(const XacroNode& node, XacroWords& words) {
     case Kind::list: {
       Values values = all();
       // What holds itself many times over could never be compared.
-      if (std::any_of(values.begin(), values.end(), as_list)) fail("lists of lists cannot be read");
+      const auto has_parts = [](const XacroValue& v) { return as_list(v) || as_map(v); };
+      if (std::any_of(values.begin(), values.end(), has_parts)) {
+        fail("lists of lists cannot be read");
+      }
       return {std::make_shared<const Values>(std::move(values))};
     }
     case Kind::index:
       return element_of(part(0), part(1));
+    case Kind::member:
+      if (node.parts[0].kind == Kind::name) {
+        if (auto found = words.property_of(node.parts[0].word, node.word)) return *found;
+      }
+      return member_of(part(0), node.word);
+    case Kind::method: {
+      Values values = all();
+      const XacroValue from = values.front();
+      values.erase(values.begin());
+      return method_of(from, node.word, values);
+    }
     case Kind::choose:
       return is_true(part(0)) ? part(1) : part(2);
     case Kind::unary:
@@ -267,24 +272,6 @@ XacroValue value_of(const XacroNode& node, XacroWords& words) {
     return arithmetic(node.word, first, part(1));
   }
   return {compares(node.word, first, part(1))};
-}
-
-// What text means as the value of a property.
-XacroValue literal_of(const std::string& text) {
-  if (text == "true" || text == "True") return {true};
-  if (text == "false" || text == "False") return {false};
-  const bool is_quoted = text.size() > 1 && (text.front() == '\'' || text.front() == '"') &&
-                         text.back() == text.front();
-  if (is_quoted) return {text.substr(1, text.size() - 2)};
-  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
-  const char* const end = text.data() + text.size();
-  long long whole = 0;
-  const auto [stop, wrong] = std::from_chars(begin, end, whole);
-  if (wrong == std::errc() && stop == end && begin != end) return {whole};
-  double real = 0.0;
-  const auto [last, error] = std::from_chars(begin, end, real);
-  if (error == std::errc() && last == end && std::isfinite(real)) return {real};
-  return {text};
 }
 
 // The end of what a bracket at `open` begins, outside of quotes.
@@ -311,7 +298,10 @@ std::size_t closing_of(std::string_view text, std::size_t open) {
 // What stands behind a $, as a value.
 XacroValue replaced(std::string_view text, std::size_t open, std::size_t end, XacroWords& words) {
   const std::string_view inside = text.substr(open + 1, end - open - 1);
-  if (text[open] == '{') return xacro_expression(inside, words);
+  if (text[open] == '{') {
+    const bool has_commands = inside.find("$(") != std::string_view::npos;
+    return xacro_expression(has_commands ? xacro_text(inside, words) : std::string(inside), words);
+  }
   const std::string command = xacro_text(inside, words);
   if (command.starts_with("eval ")) return xacro_expression(command.substr(5), words);
   return {words.command(command)};
@@ -323,6 +313,23 @@ XacroValue xacro_expression(std::string_view text, XacroWords& words) {
   return value_of(parse_xacro(text), words);
 }
 
+XacroValue literal_of(const std::string& text) {
+  if (text == "true" || text == "True") return {true};
+  if (text == "false" || text == "False") return {false};
+  const bool is_quoted = text.size() > 1 && (text.front() == '\'' || text.front() == '"') &&
+                         text.back() == text.front();
+  if (is_quoted) return {text.substr(1, text.size() - 2)};
+  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const char* const end = text.data() + text.size();
+  long long whole = 0;
+  const auto [stop, wrong] = std::from_chars(begin, end, whole);
+  if (wrong == std::errc() && stop == end && begin != end) return {whole};
+  double real = 0.0;
+  const auto [last, error] = std::from_chars(begin, end, real);
+  if (error == std::errc() && last == end && std::isfinite(real)) return {real};
+  return {text};
+}
+
 std::string text_of(const XacroValue& value) {
   if (const std::string* text = as_text(value)) return *text;
   if (const auto* truth = std::get_if<bool>(&value.value)) return *truth ? "True" : "False";
@@ -331,14 +338,20 @@ std::string text_of(const XacroValue& value) {
     const std::string text = shortest_text(*real);
     return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
   }
+  if (std::holds_alternative<std::monostate>(value.value)) return "None";
   const auto* list = as_list(value);
-  if (!list) return "None";
-  std::string text = "[";
-  for (const XacroValue& part : *list) {
-    if (text.size() > kLongestText) fail("a text grows to more than 100,000 characters");
-    text += (text.size() > 1 ? ", " : "") + text_of(part);
+  std::string text = list ? "[" : "{";
+  const auto add = [&](const std::string& part) {
+    if (text.size() + part.size() > kLongestText)
+      fail("a text grows to more than 100,000 characters");
+    text += (text.size() > 1 ? ", " : "") + part;
+  };
+  if (list) {
+    for (const XacroValue& part : *list) add(text_of(part));
+    return text + "]";
   }
-  return text + "]";
+  for (const auto& [key, part] : *as_map(value)) add("'" + key + "': " + text_of(part));
+  return text + "}";
 }
 
 std::string xacro_text(std::string_view text, XacroWords& words) {
@@ -372,7 +385,8 @@ XacroValue xacro_value(std::string_view text, XacroWords& words) {
 }
 
 bool holds(const XacroValue& value) {
-  if (as_text(value) || as_list(value) || std::holds_alternative<std::monostate>(value.value)) {
+  if (as_text(value) || as_list(value) || as_map(value) ||
+      std::holds_alternative<std::monostate>(value.value)) {
     fail("a condition must be true, false or a number", text_of(value));
   }
   return is_true(value);

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "sim/base/input_error.h"
+#include "sim/base/json/yaml_file.h"
 #include "sim/base/xml/xml_maker.h"
 #include "sim/robot/files/xacro_expression.h"
+#include "sim/robot/files/xacro_members.h"
 #include "sim/robot/files/xacro_parameters.h"
 
 namespace prehend {
@@ -39,11 +41,20 @@ struct XacroMacro {
   std::vector<XacroParameter> parameters;
 };
 
+// The macros of the file, or of a file that was included with a namespace, and the namespaces in
+// it.
+struct XacroSpace {
+  std::map<std::string, XacroMacro> macros = {};
+  std::map<std::string, XacroScope*> spaces = {};
+};
+
 // What belongs to the whole run.
 struct XacroRun {
+  const ForeignRobotOptions& options;
   std::map<std::string, std::string> arguments = {};
-  std::map<std::string, XacroMacro> macros = {};
-  std::filesystem::path folder = {};  // of the file
+  std::filesystem::path folder = {};   // of the file
+  std::filesystem::path reading = {};  // the file that is included now, or the file itself
+  std::map<std::filesystem::path, XacroValue> data = {};  // YAML files that were read
   int depth = 0;
   int steps = 0;
 
@@ -72,7 +83,8 @@ class Deeper {
 // The names that are known in the file, or in one call of a macro.
 class XacroScope : public XacroWords {
  public:
-  XacroScope(XacroRun& run, XacroScope* around) : run_(run), around_(around) {}
+  XacroScope(XacroRun& run, XacroSpace& space, XacroScope* around)
+      : run_(run), space_(space), around_(around) {}
 
   XacroValue property(const std::string& name) override {
     run_.step();
@@ -89,10 +101,16 @@ class XacroScope : public XacroWords {
     // resolved_uri knows where packages are.
     if (what == "find" && !name.empty()) return "package://" + name;
     if (what == "dirname") return run_.folder.string();
+    if (what == "cwd") return std::filesystem::current_path().string();
+    // A variable of the environment is not asked for: results would depend on it.
+    if (what == "optenv") {
+      const std::size_t otherwise = std::min(name.find(' '), name.size());
+      return name.substr(std::min(name.find_first_not_of(' ', otherwise), name.size()));
+    }
     if (what != "arg") {
       throw InputError(
-          {.problem = "$(...) can be find, arg, eval or dirname here; expand the file with xacro "
-                      "first (xacro FILE > FILE.urdf)",
+          {.problem = "$(...) can be find, arg, eval, optenv, cwd or dirname here; expand the file "
+                      "with xacro first (xacro FILE > FILE.urdf)",
            .value = words});
     }
     const auto found = run_.arguments.find(name);
@@ -104,6 +122,35 @@ class XacroScope : public XacroWords {
     return found->second;
   }
 
+  std::optional<XacroValue> property_of(const std::string& space,
+                                        const std::string& name) override {
+    const auto found = space_.spaces.find(space);
+    if (found == space_.spaces.end()) return std::nullopt;
+    return found->second->property(name);
+  }
+
+  XacroValue load_yaml(const std::string& name) override {
+    const std::filesystem::path path = resolved_uri(name, run_.reading, run_.options.packages);
+    const auto known = run_.data.find(path);
+    if (known != run_.data.end()) return known->second;
+    if (run_.data.size() >= kMostFiles) throw InputError("more than 200 YAML files are read");
+    return run_.data[path] = xacro_value_of(read_yaml(path).root());
+  }
+
+  // The macro of this name, which may begin with namespaces, and the scope that it belongs to: null
+  // where that is not another one than this.
+  std::pair<const XacroMacro*, XacroScope*> macro(const std::string& name) {
+    const std::size_t dot = name.find('.');
+    const auto inner = space_.spaces.find(name.substr(0, dot));
+    if (dot != std::string::npos && inner != space_.spaces.end()) {
+      const auto [found, owner] = inner->second->macro(name.substr(dot + 1));
+      return {found, owner ? owner : inner->second};
+    }
+    const auto found = space_.macros.find(name);
+    return {found == space_.macros.end() ? nullptr : &found->second, nullptr};
+  }
+
+  XacroSpace& space() { return space_; }
   bool knows(const std::string& name) { return owner_of(name) != nullptr; }
   void set(const std::string& name, XacroProperty property) {
     properties_[name] = std::move(property);
@@ -140,6 +187,7 @@ class XacroScope : public XacroWords {
   }
 
   XacroRun& run_;
+  XacroSpace& space_;
   XacroScope* around_;
   std::map<std::string, XacroProperty> properties_;
   std::map<std::string, XacroBlock> blocks_;
@@ -148,18 +196,20 @@ class XacroScope : public XacroWords {
 class XacroExpansion {
  public:
   XacroExpansion(const XmlFile& file, const ForeignRobotOptions& options)
-      : file_(file), options_(options), maker_(file.path()), outermost_(run_, nullptr) {
-    run_.arguments = options.arguments;
-    run_.folder = std::filesystem::absolute(file.path()).parent_path();
-  }
+      : file_(file),
+        options_(options),
+        maker_(file.path()),
+        run_{options, options.arguments, std::filesystem::absolute(file.path()).parent_path(),
+             file.path()},
+        outermost_(run_, space_, nullptr) {}
 
   XmlFile expanded() {
     const XmlElement root = file_.root();
     plain(root, outermost_);
     XmlFile made = maker_.finished();
-    if (made.root().children().empty() && !run_.macros.empty()) {
+    if (made.root().children().empty() && !space_.macros.empty()) {
       root.fail("the file only defines macros; give the one that calls them",
-                run_.macros.begin()->first);
+                space_.macros.begin()->first);
     }
     return made;
   }
@@ -202,7 +252,7 @@ class XacroExpansion {
 
   void directive(const std::string& name, const XmlElement& element, XacroScope& scope) {
     if (name == "property") return define(element, scope);
-    if (name == "macro") return define_macro(element);
+    if (name == "macro") return define_macro(element, scope);
     if (name == "arg") return define_argument(element, scope);
     if (name == "include") return include(element, scope);
     if (name == "insert_block") return insert(element, scope);
@@ -227,20 +277,22 @@ class XacroExpansion {
     if (!element.has("value") && scope.knows(name)) return;
     const std::string value = element.raw(element.has("value") ? "value" : "default");
     const std::string where = element.text_or("scope", "");
-    if (where.empty()) return scope.set(name, {.text = value});
-    XacroScope* target = where == "global"                     ? &scope.outermost()
+    const bool is_lazy = element.text_or("lazy_eval", "true") != "false";
+    if (where.empty() && is_lazy) return scope.set(name, {.text = value});
+    XacroScope* target = where.empty()                         ? &scope
+                         : where == "global"                   ? &scope.outermost()
                          : where == "parent" && scope.around() ? scope.around()
                                                                : nullptr;
     if (!target) element.fail("scope must be parent, inside a macro, or global", where);
     target->set(name, {.value = at(element, [&] { return xacro_value(value, scope); })});
   }
 
-  void define_macro(const XmlElement& element) {
+  void define_macro(const XmlElement& element, XacroScope& scope) {
     std::string name = element.text("name");
     if (name.starts_with(kPrefix)) name.erase(0, kPrefix.size());
     std::vector<XacroParameter> parameters =
         at(element, [&] { return xacro_parameters(element.raw("params")); });
-    run_.macros.insert_or_assign(name, XacroMacro{element, std::move(parameters)});
+    scope.space().macros.insert_or_assign(name, XacroMacro{element, std::move(parameters)});
   }
 
   void define_argument(const XmlElement& element, XacroScope& scope) {
@@ -250,7 +302,6 @@ class XacroExpansion {
   }
 
   void include(const XmlElement& element, XacroScope& scope) {
-    if (element.has("ns")) element.fail("attribute ns cannot be read here", element.text("ns"));
     const std::string name = text(element, "filename", scope);
     const XmlFile* included = nullptr;
     try {
@@ -262,10 +313,21 @@ class XacroExpansion {
       if (element.text_or("optional", "") == "true") return;
       element.fail_about(error);
     }
+    XacroScope& inner = element.has("ns") ? named_scope(text(element, "ns", scope), scope) : scope;
+    const std::filesystem::path around = std::exchange(run_.reading, included->path());
     at(element, [&] {
       const Deeper deeper(run_);
-      inside(included->root().children(), scope);
+      inside(included->root().children(), inner);
     });
+    run_.reading = around;
+  }
+
+  // Names in a file that is included with a namespace are its own.
+  XacroScope& named_scope(const std::string& name, XacroScope& scope) {
+    XacroSpace& space = spaces_.emplace_back();
+    XacroScope& made = scopes_.emplace_back(run_, space, nullptr);
+    scope.space().spaces[name] = &made;
+    return made;
   }
 
   void insert(const XmlElement& element, XacroScope& scope) {
@@ -279,11 +341,12 @@ class XacroExpansion {
   }
 
   void call(const std::string& name, const XmlElement& element, XacroScope& scope) {
-    const auto found = run_.macros.find(name);
-    if (found == run_.macros.end()) element.fail("no macro of this name", name);
+    const auto [found, owner] = scope.macro(name);
+    if (!found) element.fail("no macro of this name", name);
     // A copy: the macro may define itself anew.
-    const XacroMacro macro = found->second;
-    XacroScope own(run_, &scope);
+    const XacroMacro macro = *found;
+    XacroScope& around = owner ? *owner : scope;
+    XacroScope own(run_, around.space(), &around);
     at(element, [&] { hand_over(macro, element, scope, own); });
     at(element, [&] {
       const Deeper deeper(run_);
@@ -328,7 +391,11 @@ class XacroExpansion {
   std::deque<XmlFile> files_;  // that are included
   XmlMaker maker_;
   XacroRun run_;
+  XacroSpace space_;
   XacroScope outermost_;
+  // Of files that are included with a namespace.
+  std::deque<XacroSpace> spaces_;
+  std::deque<XacroScope> scopes_;
 };
 
 bool has_xacro_inside(const XmlElement& element) {

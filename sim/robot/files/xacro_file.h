@@ -10,9 +10,9 @@ namespace prehend {
 bool has_xacro(const XmlFile& file);
 
 // The file that the xacro file stands for: properties, macros with parameters and blocks, includes,
-// conditions, arguments and expressions (xacro_expression.h) are replaced by what they say.
-// Elements keep the place where they were written. Throws InputError that names it: for what is
-// none of these, such as load_yaml and environment variables; for macros, conditions and properties
+// conditions, arguments, YAML files of data and expressions (xacro_expression.h) are replaced by
+// what they say. Elements keep the place where they were written. Throws InputError that names it:
+// for what is none of these, such as environment variables; for macros, conditions and properties
 // that use each other without end, and files that grow to more than XmlMaker takes.
 XmlFile expanded_xacro(const XmlFile& file, const ForeignRobotOptions& options);
 

@@ -162,12 +162,33 @@ class XacroParser {
 
   XacroNode indexed() {
     XacroNode node = atom();
-    while (take("[")) {
-      XacroNode which = choice();
-      need("]");
-      node = {Kind::index, "", {}, {std::move(node), std::move(which)}};
+    for (;;) {
+      if (take("[")) {
+        XacroNode which = choice();
+        need("]");
+        node = {Kind::index, "", {}, {std::move(node), std::move(which)}};
+      } else if (take(".")) {
+        node = member(std::move(node), name());
+      } else {
+        return node;
+      }
     }
+  }
+
+  XacroNode member(XacroNode of, std::string word) {
+    if (!take("(")) return {Kind::member, std::move(word), {}, {std::move(of)}};
+    XacroNode node{Kind::method, std::move(word), {}, {std::move(of)}};
+    for (XacroNode& part : listed(")")) node.parts.push_back(std::move(part));
     return node;
+  }
+
+  std::string name() {
+    if (at_end() || !is_letter(rest_.front())) fail("lacks a name");
+    std::size_t size = 1;
+    while (size < rest_.size() && (is_letter(rest_[size]) || is_digit(rest_[size]))) ++size;
+    std::string word(rest_.substr(0, size));
+    rest_.remove_prefix(size);
+    return word;
   }
 
   std::vector<XacroNode> listed(std::string_view end) {
@@ -223,16 +244,13 @@ class XacroParser {
     return {Kind::literal, "", {text}, {}};
   }
 
+  // Modules of Python and xacro are left out; what else stands before a dot is looked up.
   XacroNode named() {
-    std::size_t size = 1;
-    while (size < rest_.size() &&
-           (is_letter(rest_[size]) || is_digit(rest_[size]) || rest_[size] == '.')) {
-      ++size;
-    }
-    std::string word(rest_.substr(0, size));
-    rest_.remove_prefix(size);
-    for (const char* module : {"math.", "python."}) {
-      if (word.starts_with(module)) word.erase(0, std::string_view(module).size());
+    std::string word = name();
+    for (const char* module : {"math", "python", "xacro"}) {
+      if (word != module || !take(".")) continue;
+      word = name();
+      break;
     }
     if (take("(")) return {Kind::call, word, {}, listed(")")};
     if (word == "True" || word == "true") return {Kind::literal, "", {true}, {}};

@@ -17,6 +17,8 @@ struct XacroNode {
     call,    // `word`: of a function; parts: its arguments
     list,    // parts: its elements
     index,   // parts: a list, and which
+    member,  // `word`: its name; parts: a map
+    method,  // `word`: its name; parts: a map or text, then its arguments
     unary,   // `word`: - + not
     binary,  // `word`: an operator, a comparison, and, or, in, not in
     choose,  // parts: the condition, the value where it holds, the other

@@ -5,10 +5,21 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/input_error.h"
+#include "sim/base/json/yaml_file.h"
+#include "sim/robot/files/xacro_members.h"
 #include "tests/support/refusal_of.h"
 
 namespace prehend {
 namespace {
+
+constexpr const char* kYaml = R"(
+limits:
+  shoulder: {lower: !degrees -180, upper: !degrees 180.0, effort: 150, has: true, note: "12"}
+  7: [0.1, [2, 3]]
+mesh: !millimeters 250
+empty: ""
+none:
+)";
 
 class Words : public XacroWords {
  public:
@@ -19,6 +30,14 @@ class Words : public XacroWords {
     throw InputError({.problem = "no property of this name", .value = name});
   }
   std::string command(const std::string& words) override { return "<" + words + ">"; }
+  std::optional<XacroValue> property_of(const std::string& space,
+                                        const std::string& name) override {
+    if (space != "other") return std::nullopt;
+    return XacroValue{"other's " + name};
+  }
+  XacroValue load_yaml(const std::string& name) override {
+    return xacro_value_of(parse_yaml(name, kYaml).root());
+  }
 };
 
 std::string text(const std::string& asked) {
@@ -80,6 +99,32 @@ TEST(XacroExpression, IsWhatPythonSays) {
   }
 }
 
+// As Python with PyYAML and the units of xacro.
+TEST(XacroExpression, ReadsFilesOfData) {
+  const std::map<std::string, std::string> expected = {
+      {"load_yaml('a')['limits']['shoulder']['effort'] + 1", "151"},
+      {"xacro.load_yaml('a').limits.shoulder.effort", "150"},
+      {"load_yaml('a').limits['shoulder'].lower == -pi", "True"},
+      {"load_yaml('a').mesh", "0.25"},
+      {"load_yaml('a').limits.shoulder.note + '3'", "123"},
+      {"load_yaml('a').limits[7][1][0]", "2"},
+      {"len(load_yaml('a'))", "4"},
+      {"'limits' in load_yaml('a') and 'other' not in load_yaml('a')", "True"},
+      {"load_yaml('a').limits.get('elbow', 5)", "5"},
+      {"load_yaml('a').get('elbow')", "None"},
+      {"load_yaml('a').none == None", "True"},
+      {"load_yaml('a').empty == ''", "True"},
+      {"load_yaml('a').keys()[1]", "limits"},
+      {"1 if load_yaml('a').limits.shoulder.has else 2", "1"},
+      {"load_yaml('a').limits[7]", "[0.1, [2, 3]]"},
+      {"other.width", "other's width"},
+      {"prefix.upper() + ' Left '.strip().lower()", "LEFT_left"},
+      {"prefix.replace('left', 'right').split('_')[0]", "right"},
+      {"prefix.startswith('left') and prefix.endswith('_')", "True"},
+  };
+  for (const auto& [asked, value] : expected) EXPECT_EQ(text("${" + asked + "}"), value) << asked;
+}
+
 TEST(XacroExpression, StandsInText) {
   EXPECT_EQ(text("${prefix}finger_${count}"), "left_finger_3");
   EXPECT_EQ(text("${width / 2} 0 ${-width / 2}"), "0.03 0 -0.03");
@@ -114,7 +159,16 @@ TEST(XacroExpression, MistakesAreNamed) {
       {"${'a' * 'b'}", "* needs a number (a)"},
       {"${sqrt(-1)}", "no finite number"},
       {"${10 ** 400}", "no finite number"},
-      {"${load_yaml('a')}", "expand the file with xacro first"},
+      {"${open('a')}", "expand the file with xacro first"},
+      {"${load_yaml('a')['limit']}",
+       "there is no such part; there are empty, limits, mesh, none (limit)"},
+      {"${load_yaml('a').limits.shoulder.left}", "no such part; there are effort, has, lower"},
+      {"${prefix.left}", "only what a YAML file holds has parts with names (left)"},
+      {"${prefix.format(1)}", "texts have no such method here (format)"},
+      {"${load_yaml('a').items()}", "maps have no such method here (items)"},
+      {"${count.lower()}", "only maps and texts have methods here (lower)"},
+      {"${count.}", "lacks a name"},
+      {"${[load_yaml('a')]}", "lists of lists"},
       {"${[1][3]}", "no element of this number (3)"},
       {"${atan2(1)}", "wrong number of arguments (atan2)"},
       {"${[[1]]}", "lists of lists"},

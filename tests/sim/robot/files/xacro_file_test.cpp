@@ -39,8 +39,12 @@ TEST(XacroFile, PropertiesAreKnownBeforeAndBehind) {
   EXPECT_EQ(made_links(R"x(<xacro:property name="a" value="${b + 1}"/>
                      <xacro:property name="b" value="2"/>
                      <link name="l${a}"/><xacro:property name="a" value="x"/><link name="l${a}"/>
-                     <xacro:property name="a" default="y"/><link name="m${a}"/>)x"),
-            "l3, lx, mx");
+                     <xacro:property name="a" default="y"/><link name="m${a}"/>
+                     <xacro:property name="b" value="1"/>
+                     <xacro:property name="now" value="${b}" lazy_eval="false"/>
+                     <xacro:property name="later" value="${b}"/>
+                     <xacro:property name="b" value="5"/><link name="${now}${later}"/>)x"),
+            "l3, lx, mx, 15");
 }
 
 TEST(XacroFile, MacrosHaveParametersAndBlocks) {
@@ -112,6 +116,66 @@ TEST(XacroFile, IncludesAreFoundBesideAndInPackages) {
   EXPECT_NE(why.find("main.xacro: finger.xacro line 2, <a>: attribute x must be a number"),
             std::string::npos)
       << why;
+}
+
+// As the descriptions of arms have it: limits and names of meshes stand in files of data, which
+// macros hand on.
+TEST(XacroFile, ReadsFilesOfData) {
+  const std::filesystem::path folder = test::test_folder();
+  write_text(folder / "arm" / "config" / "limits.yaml",
+             "joint_limits:\n  elbow: {max: !degrees 90, mesh: {path: \"elbow.stl\"}}\n");
+  const std::filesystem::path main =
+      write_text(folder / "arm" / "urdf" / "main.xacro",
+                 xacro_robot(R"x(<xacro:arg name="limits" default="$(find arm)/config/limits.yaml"/>
+      <xacro:macro name="read" params="file">
+        <xacro:property name="data" value="${xacro.load_yaml(file)}"/>
+        <xacro:property name="limits" value="${data['joint_limits']}" scope="parent"/>
+      </xacro:macro>
+      <xacro:read file="$(arg limits)"/>
+      <xacro:macro name="part" params="of">
+        <link name="${round(of['max'], 3)} ${of.mesh.path} $(optenv NO_SUCH_NAME else)"/>
+      </xacro:macro>
+      <xacro:part of="${limits['elbow']}"/>
+      <xacro:property name="beside" value="${load_yaml('$(find arm)/config/limits.yaml')}"/>
+      <link name="${len(beside)}"/>)x"));
+  const XmlFile file = expanded_xacro(XmlFile(main), {});
+  const auto links = file.root().children("link");
+  ASSERT_EQ(links.size(), 2U);
+  EXPECT_EQ(links[0].text("name"), "1.571 elbow.stl else");
+  EXPECT_EQ(links[1].text("name"), "1");
+  const std::string why = xacro_complaint(
+      "<xacro:property name=\"a\" value=\"${load_yaml('none.yaml')}\"/>"
+      "<link name=\"${a}\"/>");
+  EXPECT_NE(why.find("made.xacro: line 2, <link>"), std::string::npos) << why;
+  EXPECT_NE(why.find("none.yaml"), std::string::npos) << why;
+}
+
+TEST(XacroFile, NamespacesKeepNamesApart) {
+  const std::filesystem::path folder = test::test_folder();
+  write_text(
+      folder / "finger.xacro",
+      xacro_robot(
+          "<xacro:property name=\"size\" value=\"2\"/>"
+          "<xacro:macro name=\"tip\" params=\"n\"><link name=\"${n}${size}\"/></xacro:macro>"
+          "<xacro:macro name=\"finger\" params=\"n\"><xacro:tip n=\"${n}\"/></xacro:macro>"));
+  const std::filesystem::path main =
+      write_text(folder / "main.xacro",
+                 xacro_robot("<xacro:property name=\"size\" value=\"1\"/>"
+                             "<xacro:include filename=\"finger.xacro\" ns=\"f\"/>"
+                             "<xacro:f.finger n=\"a${size}\"/><link name=\"${f.size + size}\"/>"));
+  const XmlFile file = expanded_xacro(XmlFile(main), {});
+  const auto links = file.root().children("link");
+  ASSERT_EQ(links.size(), 2U);
+  EXPECT_EQ(links[0].text("name"), "a12");
+  EXPECT_EQ(links[1].text("name"), "3");
+  const std::string why =
+      test::refusal_of([&] {
+        (void)expanded_xacro(
+            XmlFile(main.string(), xacro_robot("<xacro:include filename=\"finger.xacro\" "
+                                               "ns=\"f\"/><xacro:finger n=\"a\"/>")),
+            {});
+      }).what();
+  EXPECT_NE(why.find("no macro of this name (finger)"), std::string::npos) << why;
 }
 
 TEST(XacroFile, MistakesAreNamed) {
