@@ -8,6 +8,7 @@
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/robot/one_finger.h"
 #include "sim/scene/sunk_object.h"
 #include "sim/shape/mesh_checks.h"
 #include "sim/shape/proximity.h"
@@ -119,6 +120,7 @@ CompiledScene compile(Scene scene, const RunContext& context) {
     context.cancellation.check();
     compiled.preshape_gaps.push_back(gaps_at(compiled, preshape));
   }
+  compiled.pushing_H = pushing_direction(scene.hand);
   // Torques are taken about the centre of mass and divided by the largest distance of the object
   // from it (WrenchFrame).
   compiled.wrench_frame = {scene.object.center_of_mass, 1.0 / radius};

@@ -24,6 +24,9 @@ struct CompiledScene {
   std::vector<LinkPair> self_pairs = {};  // link pairs of the hand checked for self-collision
   // Per preshape of the hand and self pair, the gap at that preshape [m].
   std::vector<std::vector<double>> preshape_gaps = {};
+  // Of a hand with one finger that closes onto a part of its base: the direction in which it pushes
+  // (pushing_direction), in the hand's base frame.
+  std::optional<Vector3> pushing_H = {};
   // Torques about the object's centre of mass, times 1 / largest distance of a vertex from it.
   WrenchFrame wrench_frame = {};
   SurfaceRegions keep_out = {};  // as scene.keep_out and scene.preferred

@@ -20,6 +20,7 @@ struct TrialWorkspace::Buffers {
   std::vector<double> start_joints;
   ApproachWorkspace approaching;
   ApproachResult reached;
+  ApproachResult pushed;
   GiveWayWorkspace giving_way;
   ClosingStart start;
   GraspWorkspace grasping;
@@ -33,6 +34,10 @@ TrialWorkspace::TrialWorkspace(TrialWorkspace&& other) noexcept = default;
 TrialWorkspace& TrialWorkspace::operator=(TrialWorkspace&& other) noexcept = default;
 
 namespace {
+
+// What a hand that slides along the object to its fixed jaw keeps from what it touches [m]. Without
+// room, proofs that it meets nothing on the way would be of tiny steps.
+constexpr double kSlidingRoom = 2e-3;
 
 // As a new trial, with the memory of its lists.
 void clear(Trial& trial) {
@@ -242,6 +247,7 @@ class TrialRun {
   // Closes the hand at this travel of its approach.
   void close_at(double travel, Trial& trial) {
     const Timer timer(seconds_.close);
+    if (scene_.pushing_H) travel = std::max(0.0, travel - kSlidingRoom);
     trial.travel = travel;
     start_.X_OH = motion_.at(travel);
     // Backing off changes every gap by at most the retreat.
@@ -249,6 +255,8 @@ class TrialRun {
     for (double& clearance : start_.object_clearance) {
       clearance = std::max(0.0, clearance - (buffers_.reached.travel - travel));
     }
+    const Vector3 before = start_.X_OH.translation();
+    if (scene_.pushing_H) push_to_fixed_jaw(*scene_.pushing_H);
     if (options_.formation.dynamic) {
       close_dynamic(scene_, hand_model(scene_), start_, options_, buffers_.grasping, trial,
                     context_);
@@ -259,7 +267,24 @@ class TrialRun {
       return;
     }
     close_and_score(scene_, start_, options_, buffers_.grasping, trial, context_);
+    if (scene_.pushing_H) trial.pushed += before - start_.X_OH.translation();
     settle(scene_, options_, buffers_.settling, buffers_.grasping, trial, context_);
+  }
+
+  // The only finger of a hand pushes the object until it meets the part that does not move. It is
+  // the hand that moves here, the other way and with its finger open, as far as it opens at most.
+  void push_to_fixed_jaw(const Vector3& pushing_H) {
+    double farthest = 0.0;
+    for (const Preshape& preshape : scene_.scene.hand.hand->preshapes) {
+      farthest = std::max(farthest, preshape.max_width);
+    }
+    const Vector3 way_O = -(start_.X_OH.linear() * pushing_H);
+    const ApproachMotion push{translation(farthest * way_O) * start_.X_OH, way_O, farthest};
+    ApproachResult& pushed = buffers_.pushed;
+    approach(scene_, buffers_.start_joints, push, options_, buffers_.approaching, pushed, context_);
+    if (pushed.end != ApproachEnd::touched_object) return;
+    start_.X_OH = push.at(pushed.travel);
+    start_.object_clearance = pushed.object_clearance;
   }
 
   // Pads press once the object has settled: how it settles follows from where the fingers touch

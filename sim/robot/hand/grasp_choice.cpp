@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/base/index.h"
+#include "sim/robot/one_finger.h"
 
 namespace prehend {
 namespace {
@@ -60,6 +61,30 @@ class Chooser {
       if (const auto turned = across_bending(robot_, parts_, opposition, axes)) {
         add({opposition, *turned}, gain);
       }
+    }
+  }
+
+  // Adds what a hand with one finger holds as it is, and turned about the axis on which its finger
+  // bends: where it closes onto a jaw that stands still, bodies should lie flat on that. They come
+  // in the middle of the opening and are pushed to the jaw.
+  void add_turned(const GraspChoice& met) {
+    constexpr double kTurn = 0.2618;  // 15 degrees
+    constexpr int kMostTurns = 3;
+    add(met, 1.0);
+    const Vector3 axis = met.axes.approach.cross(met.axes.closing);
+    for (int turn = -kMostTurns; turn <= kMostTurns; ++turn) {
+      StatedHand facing = stated_;
+      facing.approach = Eigen::AngleAxisd(turn * kTurn, axis) * met.axes.approach;
+      GraspChoice choice = met;
+      choice.axes = find_hand_axes(robot_, parts_, closing_, met.opposition, facing);
+      const Hand hand = measured_hand(robot_, parts_, choice.opposition, choice.axes);
+      const PreshapeMeasure measure(robot_, parts_, closing_, hand, collision_);
+      const auto open = measure.at("open", choice.opposition, 0.0);
+      if (!open) continue;
+      const auto push = pushing_direction(robot_, joint_values(robot_, open->dofs),
+                                          closing_.velocity, choice.axes.approach);
+      if (push && !stated_.origin) choice.axes.origin -= 0.5 * open->max_width * *push;
+      add(choice, kOtherAxes);
     }
   }
 
@@ -155,8 +180,13 @@ GraspChoice choose_grasp(const Robot& robot, const HandParts& parts, const Closi
                          const Opposition& best, const StatedHand& stated,
                          const SelfCollision& collision) {
   const GraspChoice met{best, find_hand_axes(robot, parts, closing, best, stated)};
-  if (only_slides(robot, closing) || parts.fingers.size() < 2) return met;
+  if (only_slides(robot, closing)) return met;
   Chooser chooser(robot, parts, closing, stated, collision);
+  if (parts.fingers.size() < 2) {
+    if (stated.approach) return met;
+    chooser.add_turned(met);
+    return chooser.best().value_or(met);
+  }
   chooser.add(best, kOtherAxes);
   const auto good = good_oppositions(robot, parts, closing, kMostOppositions);
   for (std::size_t k = 1; k < good.size(); ++k) chooser.add(good[k], kOtherPosture);

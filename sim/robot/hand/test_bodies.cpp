@@ -59,12 +59,14 @@ TestHolds try_bodies(const TestClosing& closing, const HandAxes& axes, std::size
       const double way = closing.way_in(mesh, at(far), axes.approach, far, open.dofs);
       if (way < 0.0) continue;
       const double near = far - way;
-      held.epsilon = closing.hold(mesh, at(near), open.dofs, thumb);
-      if (open.depth > near) {
-        held.epsilon = std::max(held.epsilon, closing.hold(mesh, at(open.depth), open.dofs, thumb));
-      }
-      if (held.epsilon == 0.0)
-        held.epsilon = closing.hold(mesh, at(near + kBack * size), open.dofs, thumb);
+      const auto held_at = [&](double distance) {
+        const Pose X =
+            closing.pushed(mesh, at(distance), axes.approach, open.max_width + size, open.dofs);
+        return closing.hold(mesh, X, open.dofs, thumb);
+      };
+      held.epsilon = held_at(near);
+      if (open.depth > near) held.epsilon = std::max(held.epsilon, held_at(open.depth));
+      if (held.epsilon == 0.0) held.epsilon = held_at(near + kBack * size);
     }
   }
   return holds;

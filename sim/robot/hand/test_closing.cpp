@@ -7,6 +7,7 @@
 #include "sim/base/index.h"
 #include "sim/quality/epsilon.h"
 #include "sim/quality/wrench.h"
+#include "sim/robot/one_finger.h"
 #include "sim/shape/contact/contact_region.h"
 
 namespace prehend {
@@ -137,6 +138,18 @@ double TestClosing::way_in(const ProximityMesh& body, const Pose& X_BS, const Ve
     way = std::min(way, moved);
   }
   return way;
+}
+
+Pose TestClosing::pushed(const ProximityMesh& body, const Pose& X_BS, const Vector3& approach,
+                         double most, const std::vector<double>& dofs) const {
+  const auto push =
+      pushing_direction(robot_, joint_values(robot_, dofs), closing_.velocity, approach);
+  if (!push) return X_BS;
+  // Not along what it touches: the steps would be tiny.
+  constexpr double kRoom = 2e-3;  // m
+  const Pose X_BS_free = translation(kRoom * approach) * X_BS;
+  const double way = way_in(body, X_BS_free, -*push, most, dofs);
+  return way > 0.0 && way < most ? translation(way * *push) * X_BS_free : X_BS;
 }
 
 void TestClosing::stop(const Reaching& touching, double time, Motion& motion) const {

@@ -25,6 +25,11 @@ class TestClosing {
   double way_in(const ProximityMesh& body, const Pose& X_BS, const Vector3& approach, double most,
                 const std::vector<double>& dofs) const;
 
+  // The pose of the body after the only finger of the hand has pushed it, at most by `most` [m],
+  // until it meets the part that does not move; X_BS for other hands, and where it meets none.
+  Pose pushed(const ProximityMesh& body, const Pose& X_BS, const Vector3& approach, double most,
+              const std::vector<double>& dofs) const;
+
   // Epsilon of the grasp in which the hand ends that closes from `dofs` on the body at X_BS, with a
   // friction of 0.5 and torques over the body's radius; 0: it does not hold. A joint stops where a
   // link beyond it touches, and takes with it what its coupling says. 0 as well where fingers cross

@@ -1,0 +1,22 @@
+// Hands with one finger that closes onto a part which does not move.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sim/robot/robot.h"
+
+namespace prehend {
+
+// The direction, orthogonal to the unit vector `approach`, in which the only finger of a hand
+// pushes what is before it as it closes, at these joint values [rad or m]; base frame, unit.
+// `closing`: the velocity of each degree of freedom as the hand closes [rad/s or m/s]. Nothing for
+// hands with several fingers, or without a link that stands still.
+std::optional<Vector3> pushing_direction(const Robot& hand, const std::vector<double>& joints,
+                                         const std::vector<double>& closing,
+                                         const Vector3& approach);
+
+// The same of a hand that states how it closes and approaches, at its initial posture.
+std::optional<Vector3> pushing_direction(const Robot& hand);
+
+}  // namespace prehend
