@@ -26,9 +26,10 @@ double angle_between(const Pose& X, const Pose& Y) {
   return Eigen::AngleAxisd(Matrix3(X.linear().transpose() * Y.linear())).angle();
 }
 
-// Of an object in a hand that stands still: what is slower than this for so long is not about to
-// slide or tip. Ten times stricter than what ends a closing, after which the hand goes on pressing.
-constexpr RestLimits kHeldStill{1e-5, 0.1};
+// Of an object in a hand that stands still: what is so slow for so long, and does not get faster,
+// neither slides nor tips. Stricter than what ends a closing, after which the hand goes on
+// pressing.
+constexpr RestLimits kHeldStill{.slowest = 1e-5, .time = 0.1, .slows_down = true};
 
 // Whether nothing new happens in the rest of a phase once everything rests.
 bool ends_at_rest(const ProcedurePhase& phase) {

@@ -9,6 +9,8 @@ namespace prehend {
 struct RestLimits {
   double slowest = 1e-4;  // of all points of the object [m/s]; ten times that of joints
   double time = 0.05;     // [s]
+  // And no faster in the end than at first: what tips over is slow for long, but ever faster.
+  bool slows_down = false;
 };
 
 // Looks at a world after each of its steps.
@@ -21,7 +23,8 @@ class Resting {
 
  private:
   RestLimits limits_;
-  double for_ = 0.0;  // s
+  double for_ = 0.0;    // s
+  double first_ = 0.0;  // speed of the object when it began to be slow [m/s]
 };
 
 }  // namespace prehend

@@ -6,6 +6,7 @@
 #include "sim/manipulation/grasp_world.h"
 #include "sim/manipulation/test_procedure_file.h"
 #include "sim/motion/dynamic_grasp/hand_drives.h"
+#include "sim/motion/dynamic_grasp/resting.h"
 #include "sim/motion/step_world.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/scene/make_scene.h"
@@ -104,6 +105,26 @@ TEST_F(HeldCube, IsNoLongerWatchedWhereItRestsForGood) {
   tugged.tests.front().phases.front().pull = Vector3(0.0, 0.001, 0.0);
   tugged.tests.front().phases.front().pull_grows = true;
   EXPECT_NEAR(held(tugged).phases.back().seconds, 0.5, 1e-9);
+}
+
+// An object that tips over starts as slowly as one that rests.
+TEST_F(HeldCube, DoesNotRestWhereItGetsFaster) {
+  const CompiledScene scene = scene_of(0.1);
+  GraspWorld grasped =
+      make_grasp_world(scene, hand_model(scene), posture_of(closed(scene)), hanging(0.5, 1.0));
+  grasped.world.robots.front().rate.setZero();
+  Vector3& velocity = grasped.world.bodies.front().motion.linear;
+  const auto rests_at = [&](double growth) {
+    Resting resting(RestLimits{.slowest = 1e-5, .time = 0.1, .slows_down = true});
+    velocity = Vector3(1e-9, 0.0, 0.0);
+    for (int step = 1; step < 300; ++step, velocity *= growth) {
+      if (resting.look(grasped.world, grasped.hand, 0.0025)) return step;
+    }
+    return 0;
+  };
+  EXPECT_NEAR(rests_at(1.0), 40, 1);
+  EXPECT_NEAR(rests_at(0.9), 40, 1);
+  EXPECT_EQ(rests_at(1.025), 0);
 }
 
 // But the one that pulls until the grasp gives way.
