@@ -105,11 +105,14 @@ class GraspPanel {
     };
   }
 
+  // [N], in the world.
+  weightOf({object}) {
+    return new THREE.Vector3(0, 0, object ? -data.gravity * object.mass : 0);
+  }
+
   loadWeight() {
     if (!this.live.state) return;
-    const {object} = this.live.state;
-    const weight = object ? data.gravity * object.mass : 0;
-    const down = new THREE.Vector3(0, 0, -weight);
+    const down = this.weightOf(this.live.state);
     ['x', 'y', 'z'].forEach((axis) => {
       byId(`load-${axis}`).value = Number(down[axis].toFixed(3));
     });
@@ -125,9 +128,14 @@ class GraspPanel {
   load() {
     const world =
         new THREE.Vector3(...['x', 'y', 'z'].map((axis) => numberIn(byId(`load-${axis}`)) ?? 0));
+    return {world, own: this.ownAxes(world)};
+  }
+
+  // A vector of the world in the object's axes.
+  ownAxes(world) {
     const turn =
         new THREE.Quaternion().setFromRotationMatrix(new THREE.Matrix4().extractRotation(X_WO));
-    return {world, own: world.clone().applyQuaternion(turn.clone().inverse())};
+    return world.clone().applyQuaternion(turn.inverse());
   }
 
   // All of it in one go, so that it is about one moment.
@@ -139,6 +147,7 @@ class GraspPanel {
       return;
     }
     const load = this.load();
+    const own = this.ownAxes(this.weightOf(state));
     const asked = [
       connection.call('quality', {sections: true}),
       connection.call('collisions'),
@@ -147,6 +156,8 @@ class GraspPanel {
         drive_limits: byId('load-limits').checked,
       }) :
                                   Promise.resolve(null),
+      own.lengthSq() > 0 ? connection.call('forces', {force_object: own.toArray()}) :
+                           Promise.resolve(null),
     ];
     let answers;
     try {
@@ -157,8 +168,8 @@ class GraspPanel {
       this.live.tell('refused', error.message);
       return;
     }
-    const [quality, {collisions}, forces] = answers;
-    this.show(state, {quality, collisions, forces, load});
+    const [quality, {collisions}, forces, weight] = answers;
+    this.show(state, {quality, collisions, forces, load, weight});
   }
 
   showNothing(state) {
@@ -171,6 +182,7 @@ class GraspPanel {
       byId(id).textContent = '–';
     }
     byId('contacts').replaceChildren();
+    this.live.tell('judged', null);
   }
 
   show(state, found) {
@@ -180,6 +192,7 @@ class GraspPanel {
     this.showContacts(quality, found.forces);
     this.showForces(found);
     this.drawMarks(found);
+    this.live.tell('judged', found);
   }
 
   showNumbers(quality, collisions) {
@@ -197,20 +210,8 @@ class GraspPanel {
         `${limit.link}: ε ${numberText(limit.epsilon_without)} without it` :
         blocked ? collisions.map(({link, by}) => `${link} in ${by}`).join(', ') :
                   '–';
-    byId('weakest').textContent = holds ? this.weakestWords(quality) : '–';
+    byId('weakest').textContent = holds ? weakestWords(quality) : '–';
     byId('contact-count').textContent = String(quality.contacts.length);
-  }
-
-  // The disturbance that breaks the grasp first, whose size is ε.
-  weakestWords({weakest_wrench: {force_object, scaled_torque_object}}) {
-    const force = vectorOf(force_object);
-    const torque = vectorOf(scaled_torque_object);
-    const least = 0.1 * Math.hypot(force.length(), torque.length());
-    const inWorld = (v) => directionWords(v.clone().transformDirection(X_WO));
-    const parts = [];
-    if (force.length() > least) parts.push(`a push ${inWorld(force)}`);
-    if (torque.length() > least) parts.push(`a twist about ${inWorld(torque)}`);
-    return parts.join(' with ') || '–';
   }
 
   showContacts({contacts}, forces) {

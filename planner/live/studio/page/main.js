@@ -15,6 +15,7 @@ const keyWords = [
   ['1 to 7', 'views from front, back, left, right, above, below, aslant'],
   ['F', 'fit object and hand; with Shift everything'],
   ['V', 'perspective or orthographic'],
+  ['N', 'hide or show the panels'],
   ['T', 'measuring tape'],
   ['Ctrl+Z, Ctrl+Y', 'undo, redo'],
   ['Esc', 'select nothing'],
@@ -29,6 +30,7 @@ class Studio {
     this.world = new WorldPanel(this.live, this.handling);
     this.hand = new HandPanel(this.live);
     this.grasp = new GraspPanel(this.stage, this.live);
+    this.bar = new StateBar(this.live);
     this.plan = new PlanPanel(this.stage, this.live);
     this.arm = new ArmPanel(this.live);
     this.path = new PathPanel(this.stage, this.live);
@@ -36,6 +38,7 @@ class Studio {
     this.tour = new Tour();
     this.listen();
     this.makeToolbar();
+    rememberFolds();
     this.setTheme(
         localStorage.getItem('prehend-theme') ||
         (window.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'));
@@ -98,6 +101,7 @@ class Studio {
       fit: () => stage.look(),
       'fit-all': () => stage.look(undefined, true),
       flat: () => this.toggleFlat(),
+      'panels-shown': () => showPanels(document.body.classList.contains('bare')),
       tape: () => this.toggleTape(),
       screenshot: async () => download('prehend.png', await stage.picture()),
       theme: () =>
@@ -190,6 +194,7 @@ class Studio {
       m: 'gizmo-move',
       r: 'gizmo-turn',
       v: 'flat',
+      n: 'panels-shown',
       t: 'tape',
       '?': 'keys',
     };

@@ -4,6 +4,25 @@ function button(words, action, more = {}) {
   return element('button', {type: 'button', onclick: action, ...more}, words);
 }
 
+// Shows the panels, or the stage without them.
+function showPanels(shown) {
+  document.body.classList.toggle('bare', !shown);
+  byId('panels-shown').setAttribute('aria-expanded', shown);
+}
+
+// Panels fold by their headings, and are next time as they were left.
+function rememberFolds() {
+  const folded = new Set(JSON.parse(localStorage.getItem('prehend-folded') || '[]'));
+  for (const panel of document.querySelectorAll('.column > section')) {
+    const fold = panel.querySelector('details');
+    fold.open = !folded.has(panel.id);
+    fold.addEventListener('toggle', () => {
+      folded[fold.open ? 'delete' : 'add'](panel.id);
+      localStorage.setItem('prehend-folded', JSON.stringify([...folded]));
+    });
+  }
+}
+
 // A name as a line may break it: after an underscore, not within a word.
 function breakable(name) {
   return name.split(/(?<=_)/).flatMap((part, i) => i === 0 ? [part] : [element('wbr'), part]);

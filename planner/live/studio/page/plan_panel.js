@@ -158,10 +158,12 @@ class PlanPanel {
   thumbnail() {
     const small = element('canvas', {width: 144, height: 108});
     this.stage.drawWithoutBackground((canvas) => {
-      const part = Math.min(canvas.width / 4, canvas.height / 3);
+      const {x, y, width, height} = this.stage.framing.box();
+      const ratio = canvas.width / canvas.clientWidth;
+      const part = ratio * Math.min(width / 4, height / 3);
       small.getContext('2d').drawImage(
-          canvas, (canvas.width - 4 * part) / 2, (canvas.height - 3 * part) / 2, 4 * part, 3 * part,
-          0, 0, 144, 108);
+          canvas, ratio * (x + width / 2) - 2 * part, ratio * (y + height / 2) - 1.5 * part,
+          4 * part, 3 * part, 0, 0, 144, 108);
     });
     return small;
   }

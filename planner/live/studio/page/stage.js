@@ -43,6 +43,7 @@ class Stage extends View3d {
     this.looked = '';    // the surface of the object that the camera was turned to; '': look anew
     this.replaced = [];  // called when other robots have come in place of the old ones
     this.orthoSize = 0.3;
+    this.framing = new Framing(canvas, byId('free'), () => this.reframe());
     this.followSize();
   }
 
@@ -254,6 +255,13 @@ class Stage extends View3d {
 
   resized() {
     this.sizeOrthographic();
+    this.framing.shift([this.perspective, this.orthographic]);
+  }
+
+  // Panels cover another part of the stage than before.
+  reframe() {
+    this.resized();
+    this.requestDraw();
   }
 
   sizeOrthographic() {
@@ -279,7 +287,7 @@ class Stage extends View3d {
     // The camera must not look along its own up direction.
     const from = direction.clone();
     if (Math.abs(from.z) > 0.9999) from.set(0, -1e-3, Math.sign(from.z)).normalize();
-    const target = aim(this.perspective, corners, from);
+    const target = this.framing.aim(this.perspective, corners, from);
     const distance = this.perspective.position.distanceTo(target);
     this.perspective.near = distance / 300;
     this.perspective.updateProjectionMatrix();

@@ -50,17 +50,13 @@ class Tour {
     box.hidden = step >= tourSteps.length;
     if (box.hidden) return;
     const [place, words] = tourSteps[step];
+    showPanels(true);
+    const fold = document.querySelector(`${place} > details`);
+    if (fold) fold.open = true;
     document.querySelector(place).classList.add('pointed');
     byId('tour-words').textContent = `${step + 1} of ${tourSteps.length}. ${words}`;
     byId('tour-next').textContent = step + 1 < tourSteps.length ? 'next' : 'done';
     byId('tour-next').focus();
-    this.bringIntoView(document.querySelector(place), box);
-  }
-
-  // On a small screen the panels are below each other, and the box covers the lowest part.
-  bringIntoView(pointed, box) {
-    const {top, bottom} = pointed.getBoundingClientRect();
-    const covered = box.getBoundingClientRect().top;
-    if (top < 0 || Math.min(bottom, top + 200) > covered) pointed.scrollIntoView();
+    document.querySelector(place).scrollIntoView();  // panels are below each other
   }
 }
