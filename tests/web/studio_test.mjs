@@ -117,7 +117,7 @@ test('a plan is cancelled, and what it has found is kept', async () => {
     await page.page.locator('#plan-trials').fill('500000');
     await page.page.locator('#plan').click();
     await page.until(() => window.studio.plan.found.length >= 3);
-    await page.page.locator('#results button').first().waitFor();
+    await page.page.locator('#results [data-grasp]').first().waitFor();
     await page.page.locator('#cancel').click();
     await page.until(() => !window.studio.live.state.planning);
     await page.settle();
@@ -125,7 +125,7 @@ test('a plan is cancelled, and what it has found is kept', async () => {
     assert.ok(!planning && results >= 3, `${results} results`);
     assert.match(await page.text('#plan-words'), /^cancelled: \d+ grasps/);
     await page.until(
-        (count) => document.querySelectorAll('#results button').length === count, results);
+        (count) => document.querySelectorAll('#results [data-grasp]').length === count, results);
     await page.click('#results button[data-grasp="1"]');
     const [, second] = (await page.call('plan.results')).grasps;
     const {hand} = await page.state();

@@ -43,3 +43,17 @@ class Framing {
     return target;
   }
 }
+
+// The direction from which a grasp tells most: across the plane in which the hand moves on and
+// closes, so that neither hides the other. Of its two sides the one that is nearer to where one
+// looks from, and not from below, where something may stand under the object.
+function tellingSide({approach, closing}, X_WH, from) {
+  const side = vectorOf(closing)
+                   .cross(vectorOf(approach))
+                   .transformDirection(X_WH)
+                   .addScaledVector(from, 0.1);
+  const flat = Math.hypot(side.x, side.y);
+  if (flat > 0.5 ? side.dot(from) < 0 : side.z < 0) side.negate();
+  side.z = Math.max(side.z, 0.35 * flat);
+  return side.normalize();
+}

@@ -2,14 +2,23 @@
 
 const mostShown = 200;  // grasps in the list while they are found
 
+function poseInWorld({X_object_hand}) {
+  return X_WO.clone().multiply(matrixOfPose(X_object_hand));
+}
+
 class PlanPanel {
   constructor(stage, live) {
     this.stage = stage;
     this.live = live;
     this.found = [];  // while a plan runs
     this.results = [];
-    this.current = -1;
+    this.current = -1;  // the result in hand; -1: none
+    this.went = null;   // to which result this page has gone last, and the hand's state there
     this.pictures = new Map();  // of pins
+    this.table = new ResultsTable(byId('results'), {
+      show: (grasp) => this.planning ? this.preview(grasp) : this.go(grasp.rank - 1),
+      play: (grasp) => this.playPath(grasp.rank - 1),
+    });
     byId('export-format')
         .append(
             ...data.formats.map(({name, summary}) => element('option', {title: summary}, name)));
@@ -24,6 +33,8 @@ class PlanPanel {
       byId('plan-words').textContent = '';
     });
     live.on('state', (state) => this.follow(state));
+    live.on('hand', (state) => this.mark(state));
+    live.on('judged', (found) => this.learn(found));
   }
 
   async start() {
@@ -73,14 +84,25 @@ class PlanPanel {
     this.planning = state.planning;
     if (state.results === 0) {
       this.results = [];
+      this.went = null;
       this.askList();
     } else if (ended || state.results !== this.results.length) {
       const {grasps} = await this.live.connection.call('plan.results');
       this.results = grasps;
+      this.went = null;
       this.askList();
     }
     byId('export').disabled = state.results === 0;
+    this.mark(state);
     this.showPins(state.pins);
+  }
+
+  // The row of the grasp in hand is marked until the hand moves on.
+  mark({hand}) {
+    const current = this.went && this.went.hand === JSON.stringify(hand) ? this.went.grasp : -1;
+    if (current === this.current) return;
+    this.current = current;
+    this.askList();
   }
 
   // Draws the list once before the next repaint, however many grasps come.
@@ -98,23 +120,17 @@ class PlanPanel {
     const grasps =
         live ? this.found.sort((a, b) => b.epsilon - a.epsilon).slice(0, mostShown) : this.results;
     byId('plan-count').textContent = live ? `${this.found.length} found so far` : '';
-    byId('results').replaceChildren(...grasps.map(
-        (grasp, i) =>
-            element('li', {}, this.resultButton(grasp, i, live), this.pathButton(grasp, i))));
+    this.table.set(
+        grasps.map((grasp, i) => ({...grasp, rank: i + 1, moves: this.waysOf(grasp)})),
+        live ? 0 : this.current + 1);
   }
 
-  resultButton(grasp, i, live) {
-    const words = `${i + 1}. ε ${numberText(grasp.epsilon, 3)}` +
-        (grasp.volume ? `, volume ${numberText(grasp.volume, 2)}` : '') +
-        (grasp.path ? `, path ${grasp.path.toFixed(1)} s` : '');
-    const action = live ? () => this.preview(grasp) : () => this.go(i);
-    return button(words, action, {'data-grasp': i, 'aria-current': i === this.current && !live});
-  }
-
-  // Of a result that was planned with a path.
-  pathButton(grasp, i) {
-    if (!grasp.path) return null;
-    return button('▶', () => this.playPath(i), {'aria-label': `play the path of grasp ${i + 1}`});
+  // Where the hand moves on when it takes the object.
+  waysOf(grasp) {
+    const {handData} = this.stage;
+    return handData ?
+        directionWords(vectorOf(handData.approach).transformDirection(poseInWorld(grasp))) :
+        null;
   }
 
   async playPath(i) {
@@ -124,17 +140,31 @@ class PlanPanel {
 
   // A grasp that the session does not have yet: the hand is drawn there, and not moved.
   preview(grasp) {
-    const X_WH = X_WO.clone().multiply(matrixOfPose(grasp.X_object_hand));
-    this.stage.hand.setBase(X_WH);
+    this.stage.hand.setBase(poseInWorld(grasp));
     this.stage.hand.setJoints(grasp.joints);
     this.stage.requestDraw();
   }
 
+  // Moves the hand there, and looks at it from where it tells most.
   async go(i) {
-    if (await this.live.ask('plan.go', {grasp: i})) {
-      this.current = i;
-      this.askList();
-    }
+    const done = await this.live.ask('plan.go', {grasp: i});
+    if (!done) return;
+    this.went = {grasp: i, hand: JSON.stringify(done.hand)};
+    this.current = i;
+    this.askList();
+    const X_WH = matrixOfPose(done.hand.X_world_hand);
+    this.stage.look(tellingSide(this.stage.handData, X_WH, this.stage.direction()));
+  }
+
+  // What holding its weight takes is known of a grasp once it has been in hand.
+  learn(found) {
+    const grasp = this.results[this.current];
+    if (!grasp || !found) return;
+    const {weight} = found;
+    const known = weight && weight.outcome === 'balanced' ? weight.largest_normal : null;
+    if (known === (grasp.weight ?? null)) return;
+    grasp.weight = known;
+    this.askList();
   }
 
   async save() {

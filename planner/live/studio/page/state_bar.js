@@ -41,7 +41,8 @@ class StateBar {
   // `weight`: forces that balance it, or null where there is none.
   weightWords(weight) {
     if (!weight) return '';
-    if (weight.outcome === 'balanced') return `weight held with ${numberText(weight.largest_normal)} N`;
+    if (weight.outcome === 'balanced')
+      return `weight held with ${numberText(weight.largest_normal)} N`;
     return weight.outcome === 'impossible' ? 'weight not held' : '';
   }
 }
