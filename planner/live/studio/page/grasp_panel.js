@@ -253,6 +253,7 @@ class GraspPanel {
     if (byId('show-contacts').checked) marks.add(contactMarks(grasp));
     if (grasp.epsilon[0] > 0 && byId('show-weakest').checked) marks.add(weakestMarks(grasp));
     if (forces && forces.forces.length > 0) this.drawForces(quality, forces, load);
+    addGhosts(marks);
     this.wrench.show(grasp);
     this.stage.requestDraw();
   }

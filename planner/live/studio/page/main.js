@@ -31,6 +31,7 @@ class Studio {
     this.hand = new HandPanel(this.live);
     this.grasp = new GraspPanel(this.stage, this.live);
     this.bar = new StateBar(this.live);
+    this.axes = new AxesGizmo(byId('axes'), this.stage);
     this.plan = new PlanPanel(this.stage, this.live);
     this.arm = new ArmPanel(this.live);
     this.path = new PathPanel(this.stage, this.live);
@@ -119,6 +120,12 @@ class Studio {
     byId('gizmo-space').addEventListener('change', () => {
       handling.gizmo.setSpace(byId('gizmo-space').checked ? 'local' : 'world');
     });
+    for (const kind of ['object', 'obstacle']) {
+      const slider = byId(`${kind}-opacity`);
+      const set = () => stage.setOpacity(kind, Number(slider.value) / 100);
+      slider.addEventListener('input', set);
+      set();
+    }
     for (const id of ['show-contacts', 'show-weakest']) {
       byId(id).addEventListener('change', () => this.grasp.judge.ask());
     }
@@ -152,9 +159,8 @@ class Studio {
   setTheme(theme) {
     document.documentElement.dataset.theme = theme;
     localStorage.setItem('prehend-theme', theme);
-    const background = theme === 'dark' ? '#1d1f24' : '#ffffff';
-    this.stage.setBackground(background);
-    this.grasp.wrench.setBackground(background);
+    this.stage.setTheme(theme === 'dark');
+    this.grasp.wrench.setBackground(theme === 'dark' ? '#16171b' : '#ffffff');
   }
 
   showKeys() {

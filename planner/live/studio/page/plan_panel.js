@@ -142,7 +142,7 @@ class PlanPanel {
   preview(grasp) {
     this.stage.hand.setBase(poseInWorld(grasp));
     this.stage.hand.setJoints(grasp.joints);
-    this.stage.requestDraw();
+    this.stage.requestAll();
   }
 
   // Moves the hand there, and looks at it from where it tells most.

@@ -1,55 +1,109 @@
-// The scene in three dimensions: its bodies where the session has them, the camera, and what lies
-// under a point of the screen.
-
-const standardViews = {
-  front: [0, -1, 0],
-  back: [0, 1, 0],
-  left: [-1, 0, 0],
-  right: [1, 0, 0],
-  above: [0, 0, 1],
-  below: [0, 0, -1],
-  aslant: [1, -1, 0.8],
-};
+// The scene in three dimensions: its bodies where the session has them, and what lies under a point
+// of the screen.
 
 const blockedColor = data.palette.outcomes.hand_blocked;  // of what overlaps something
-
-function firstView() {
-  return vectorOf(standardViews.aslant).normalize();
-}
+const faintest = 0.2;  // opacity of what stands in the way of sight
 
 // The scene has changed meanwhile.
 class Superseded extends Error {}
 
-function bodyGroup(geometry, look) {
-  return outlined(geometry, solid(geometry, look), look);
+// Those meshes of the group that are `blocked`, by what they say of themselves.
+function paintMeshes(group, blocked) {
+  group.traverse((node) => {
+    if (!node.isMesh) return;
+    if (node.userData.color === undefined) node.userData.color = node.material.color.getHex();
+    node.material.color.set(blocked(node.userData) ? blockedColor : node.userData.color);
+  });
 }
 
-class Stage extends View3d {
+class Stage extends CameraView {
   constructor(canvas, live) {
-    super(canvas, {alpha: true});
+    super(canvas);
     this.live = live;
-    this.orthographic = new THREE.OrthographicCamera(-1, 1, 1, -1, -100, 100);
-    this.orthographic.up.set(0, 0, 1);
-    this.controls.screenSpacePanning = true;
     this.surfaces = new Map();  // geometries by the surface's name
-    this.bodies = new Map();    // "object" or "obstacle NAME" to {group, surface}
+    this.bodies = new Map();    // "object" or "obstacle NAME" to Body
     this.hand = null;
     this.arm = null;
     this.robots = '';
+    this.opacities = {object: 1, obstacle: 1};
+    this.blocked = new Set();        // names of links and bodies that overlap something
     this.marks = new THREE.Group();  // in the frame of the object
     this.free = new THREE.Group();   // in the world
     this.scene.add(this.marks, this.free);
     this.sync = new Coalescer((state) => this.follow(state));
     this.looked = '';    // the surface of the object that the camera was turned to; '': look anew
     this.replaced = [];  // called when other robots have come in place of the old ones
-    this.orthoSize = 0.3;
-    this.framing = new Framing(canvas, byId('free'), () => this.reframe());
     this.followSize();
   }
 
-  setBackground(color) {
-    this.scene.background = new THREE.Color(color);
+  // The headlight only brightens what the lamp above leaves dark.
+  light() {
+    this.lamp = new THREE.DirectionalLight(0xffffff, 0.26);
+    this.scene.add(this.lamp);
+    this.ground = new Ground(this.scene, this.renderer);
+  }
+
+  setTheme(dark) {
+    this.scene.background = new THREE.Color(dark ? '#1d2026' : '#e9ecf0');
+    this.ground.setDark(dark);
     this.requestDraw();
+  }
+
+  // Something has moved, and with it its shadow.
+  requestAll() {
+    const groups = this.bodies.has('object') ? [this.bodies.get('object').group] : [];
+    if (this.hand) groups.push(this.hand.root);
+    this.scene.updateMatrixWorld(true);
+    this.ground.lightOn(groups.flatMap((group) => cornersOf(group)));
+    this.requestDraw();
+  }
+
+  // Under everything but the hand, which may be anywhere. It stays there while bodies are moved.
+  placeGround() {
+    const groups = [...this.bodies.values()].map(({group}) => group);
+    if (this.arm) groups.push(this.arm.root);
+    if (groups.length === 0 && this.hand) groups.push(this.hand.root);
+    this.scene.updateMatrixWorld(true);
+    this.ground.place(groups.flatMap((group) => cornersOf(group)), radius);
+  }
+
+  // How much bodies of a kind, "object" or "obstacle", hide of what is behind them: 1 for all.
+  setOpacity(kind, opacity) {
+    this.opacities[kind] = opacity;
+    for (const [key, body] of this.bodies) {
+      if (kindOf(key) === kind) body.show(opacity);
+    }
+    this.paintBlocked();
+    this.requestAll();
+  }
+
+  draw() {
+    this.fadeWhatHides();
+    super.draw();
+  }
+
+  // Obstacles between the eye and the object or the hand are seen through, be they ever so dense.
+  fadeWhatHides() {
+    const sights = this.sights();
+    let built = false;
+    for (const [key, body] of this.bodies) {
+      if (kindOf(key) !== 'obstacle') continue;
+      const own = this.opacities.obstacle;
+      built = body.show(body.hides(sights) ? Math.min(own, faintest) : own) || built;
+    }
+    if (built) this.paintBlocked();
+  }
+
+  // Rays from the middle of the object and from the hand to the eye.
+  sights() {
+    this.scene.updateMatrixWorld();
+    const ends = [];
+    if (this.bodies.has('object')) {
+      const corners = cornersOf(this.bodies.get('object').group);
+      ends.push(new THREE.Box3().setFromPoints(corners).getCenter(new THREE.Vector3()));
+    }
+    if (this.hand) ends.push(this.hand.root.position);
+    return this.raysToEye(ends);
   }
 
   // --- Bodies
@@ -74,7 +128,15 @@ class Stage extends View3d {
       return;  // another state is on its way
     }
     this.place(state);
+    if (this.stands !== this.standing(state)) this.placeGround();
+    this.stands = this.standing(state);
+    this.requestAll();
     this.lookAtNew(state);
+  }
+
+  // Which bodies the ground is under.
+  standing({object, obstacles, robots}) {
+    return JSON.stringify([object && object.surface, obstacles.map(({name}) => name), robots]);
   }
 
   // Another scene or another object is looked at as a whole, and a scene from where one looks
@@ -89,6 +151,7 @@ class Stage extends View3d {
   // The scene that the session has is another one.
   forgetView() {
     this.looked = '';
+    this.stands = '';
     this.sync.ask(this.live.state);
   }
 
@@ -108,14 +171,11 @@ class Stage extends View3d {
     }
     for (const [key, surface] of wanted) {
       if (this.bodies.has(key)) continue;
-      const look = key === 'object' ? data.palette.object : data.palette.obstacle;
       const geometry = await this.surface(surface);
-      const group = bodyGroup(geometry, look);
-      group.traverse((node) => {
-        node.userData.body = key;
-      });
-      this.bodies.set(key, {group, surface});
-      this.scene.add(group);
+      const body = new Body(key, surface, geometry);
+      body.show(this.opacities[kindOf(key)]);
+      this.bodies.set(key, body);
+      this.scene.add(body.group);
       if (key === 'object') this.measureObject(geometry);
     }
   }
@@ -149,6 +209,7 @@ class Stage extends View3d {
   }
 
   nameParts(model, body) {
+    takesPartInShadows(model.root, body === 'hand');
     model.root.traverse((node) => {
       if (node.userData.link === undefined) return;
       const {link} = node.userData;
@@ -182,7 +243,7 @@ class Stage extends View3d {
     this.hand.setBase(matrixOfPose(state.hand.X_world_hand));
     this.hand.setJoints(state.hand.joints);
     if (this.arm) this.placeArm(state);
-    this.requestDraw();
+    this.requestAll();
   }
 
   // The values of all joints of the platform; those of the hand on it are not drawn.
@@ -213,7 +274,7 @@ class Stage extends View3d {
     }
     this.setPose(this.bodies.get('object'), object);
     object.decompose(this.marks.position, this.marks.quaternion, this.marks.scale);
-    this.requestDraw();
+    this.requestAll();
   }
 
   // What does not reach its place is seen through.
@@ -227,51 +288,22 @@ class Stage extends View3d {
     });
   }
 
-  // Shows the links that overlap something in the colour of what is blocked.
+  // Shows the links and bodies that overlap something in the colour of what is blocked.
   showBlocked(names) {
-    if (!this.hand) return;
+    this.blocked = names;
+    this.paintBlocked();
+    this.requestDraw();
+  }
+
+  paintBlocked() {
     for (const model of [this.hand, this.arm]) {
-      if (!model) continue;
-      model.root.traverse((node) => {
-        if (!node.isMesh || node.userData.link === undefined) return;
-        if (!node.userData.color) node.userData.color = node.material.color.getHex();
-        const blocked = names.has(node.userData.link);
-        node.material.color.set(blocked ? blockedColor : node.userData.color);
-      });
+      if (model) paintMeshes(model.root, ({link}) => this.blocked.has(link));
     }
     for (const [key, {group}] of this.bodies) {
       const name = key === 'object' ? this.live.state.object && this.live.state.object.name :
                                       key.slice('obstacle '.length);
-      group.traverse((node) => {
-        if (!node.isMesh) return;
-        if (!node.userData.color) node.userData.color = node.material.color.getHex();
-        node.material.color.set(names.has(name) ? blockedColor : node.userData.color);
-      });
+      paintMeshes(group, () => this.blocked.has(name));
     }
-    this.requestDraw();
-  }
-
-  // --- The camera
-
-  resized() {
-    this.sizeOrthographic();
-    this.framing.shift([this.perspective, this.orthographic]);
-  }
-
-  // Panels cover another part of the stage than before.
-  reframe() {
-    this.resized();
-    this.requestDraw();
-  }
-
-  sizeOrthographic() {
-    const camera = this.orthographic;
-    const {aspect} = this.perspective;
-    camera.left = -this.orthoSize * aspect;
-    camera.right = this.orthoSize * aspect;
-    camera.top = this.orthoSize;
-    camera.bottom = -this.orthoSize;
-    camera.updateProjectionMatrix();
   }
 
   // So that object and hand, or with `everything` all bodies, fill the picture.
@@ -283,52 +315,7 @@ class Stage extends View3d {
     if (this.hand) groups.push(this.hand.root);
     if (everything && this.arm) groups.push(this.arm.root);
     const corners = groups.flatMap((group) => cornersOf(group));
-    if (corners.length === 0) return;
-    // The camera must not look along its own up direction.
-    const from = direction.clone();
-    if (Math.abs(from.z) > 0.9999) from.set(0, -1e-3, Math.sign(from.z)).normalize();
-    const target = this.framing.aim(this.perspective, corners, from);
-    const distance = this.perspective.position.distanceTo(target);
-    this.perspective.near = distance / 300;
-    this.perspective.updateProjectionMatrix();
-    this.orthographic.position.copy(this.perspective.position);
-    this.orthographic.zoom = 1;
-    this.orthoSize = distance * Math.tan(this.perspective.fov / 2 * Math.PI / 180);
-    this.sizeOrthographic();
-    this.controls.target.copy(target);
-    this.controls.update();
-    this.requestDraw();
-  }
-
-  setOrthographic(flat) {
-    const next = flat ? this.orthographic : this.perspective;
-    if (next === this.camera) return;
-    next.position.copy(this.camera.position);
-    next.quaternion.copy(this.camera.quaternion);
-    if (flat) {
-      const distance = this.camera.position.distanceTo(this.controls.target);
-      this.orthoSize = distance * Math.tan(this.perspective.fov / 2 * Math.PI / 180);
-      next.zoom = 1;
-      this.sizeOrthographic();
-    }
-    this.camera = next;
-    this.controls.object = next;
-    this.controls.update();
-    this.tell();
-    this.requestDraw();
-  }
-
-  // Turns about a point from now on, seen from half as far.
-  seek(point) {
-    const offset = this.camera.position.clone().sub(this.controls.target).multiplyScalar(0.5);
-    this.controls.target.copy(point);
-    this.camera.position.copy(point).add(offset);
-    if (this.camera.isOrthographicCamera) {
-      this.camera.zoom *= 2;
-      this.camera.updateProjectionMatrix();
-    }
-    this.controls.update();
-    this.requestDraw();
+    this.lookAt(corners, direction);
   }
 
   // --- What is under the pointer
@@ -349,9 +336,11 @@ class Stage extends View3d {
   drawWithoutBackground(take) {
     const {background} = this.scene;
     this.scene.background = null;
+    this.ground.group.visible = false;
     this.draw();
     take(this.canvas);
     this.scene.background = background;
+    this.ground.group.visible = true;
     this.draw();
   }
 

@@ -14,13 +14,14 @@ function weakestWords({weakest_wrench: {force_object, scaled_torque_object}}) {
 
 class StateBar {
   constructor(live) {
+    this.live = live;
     live.on('judged', (found) => this.show(found));
   }
 
   // `found`: what the grasp panel has asked for; null where the scene cannot be judged.
   show(found) {
-    const words =
-        found ? this.wordsOf(found) : {epsilon: '–', weight: '', contacts: '', weakest: ''};
+    const nothing = {epsilon: '–', weight: '', contacts: '', weakest: this.live.state.problem};
+    const words = found ? this.wordsOf(found) : nothing;
     for (const [name, text] of Object.entries(words)) byId(`bar-${name}`).textContent = text;
     const outcome = byId('bar-outcome');
     outcome.textContent = byId('outcome').textContent;
@@ -34,7 +35,7 @@ class StateBar {
       epsilon: holds ? numberText(epsilon.lower, 4) : '0',
       weight: this.weightWords(weight),
       contacts: contacts.length === 1 ? '1 contact' : `${contacts.length} contacts`,
-      weakest: holds ? `weakest against ${weakestWords(quality)}` : '',
+      weakest: holds ? `weakest: ${weakestWords(quality)}` : '',
     };
   }
 

@@ -21,7 +21,7 @@ const tourSteps = [
   ],
   [
     '#plan-panel',
-    '“Plan” tries hundreds of grasps. Click one of the list to see it, “pin” puts one aside to ' +
+    '“Plan” tries hundreds of grasps. Click a row to see it, “pin” puts one aside to ' +
         'compare it.'
   ],
   [
