@@ -117,8 +117,12 @@ function faultsOfLayout() {
       faults.push(`${field.getAttribute('aria-label') || field.id} is cut: ${field.value}`);
     }
   }
-  const table = document.getElementById('contacts');
-  if (table.offsetWidth > table.parentElement.clientWidth) faults.push('contacts are cut');
+  for (const id of ['contacts', 'results']) {
+    const table = document.getElementById(id);
+    if (table.offsetWidth > table.parentElement.clientWidth) faults.push(`${id} are cut`);
+  }
+  const bar = document.getElementById('state-bar').getBoundingClientRect();
+  if (bar.width === 0 || bar.right > window.innerWidth) faults.push('the bar is cut');
   return faults.concat(brokenWords());
 
   // Words that stand on two lines. Names may break after an underscore.
@@ -148,6 +152,7 @@ test('panels push neither each other nor the stage, and words and numbers are wh
       const stage = await boxOf(page, '#stage');
       assert.deepEqual(await page.page.evaluate(faultsOfLayout), []);
       await page.page.locator('#plan-trials').fill('60');
+      if (scene !== 'mug') await page.page.locator('#plan-paths').check();
       await page.page.locator('#plan').click();
       await page.until(() => {
         const {results, planning} = window.studio.live.state;

@@ -86,6 +86,8 @@ test(
           const box = new window.THREE.Box3().setFromObject(stage.bodies.get('object').group);
           return [stage.ground.group.position.z, box.min.z];
         });
+        const cell = await page.page.evaluate(() => window.studio.stage.ground.cell);
+        assert.equal(await page.text('#grid-size'), `grid: ${Math.round(1000 * cell)} mm`);
         const [ground, bottom] = await heights();
         assert.ok(ground < bottom && ground > bottom - 0.001, `${ground}, ${bottom}`);
         const {position} = (await page.state()).object.X_world_object;

@@ -46,14 +46,14 @@ class Framing {
 
 // The direction from which a grasp tells most: across the plane in which the hand moves on and
 // closes, so that neither hides the other. Of its two sides the one that is nearer to where one
-// looks from, and not from below, where something may stand under the object.
+// looks from, and not from below, where something may stand under the object; a little from where
+// the hand goes to, as the arm is on the other side.
 function tellingSide({approach, closing}, X_WH, from) {
-  const side = vectorOf(closing)
-                   .cross(vectorOf(approach))
-                   .transformDirection(X_WH)
-                   .addScaledVector(from, 0.1);
-  const flat = Math.hypot(side.x, side.y);
-  if (flat > 0.5 ? side.dot(from) < 0 : side.z < 0) side.negate();
-  side.z = Math.max(side.z, 0.35 * flat);
+  const along = vectorOf(approach).transformDirection(X_WH);
+  const side = vectorOf(closing).transformDirection(X_WH).cross(along);
+  const upright = Math.abs(side.z) > Math.hypot(side.x, side.y);
+  if (upright ? side.z < 0 : side.dot(from) < 0) side.negate();
+  side.addScaledVector(along, 0.3);
+  side.z = Math.max(side.z, 0.35 * Math.hypot(side.x, side.y));
   return side.normalize();
 }

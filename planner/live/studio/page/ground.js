@@ -44,11 +44,11 @@ class Ground {
     renderer.shadowMap.enabled = true;
     renderer.shadowMap.type = THREE.PCFShadowMap;
     renderer.shadowMap.autoUpdate = false;  // turning the camera changes no shadow
-    this.key = new THREE.DirectionalLight(0xffffff, 0.36);
+    this.key = new THREE.DirectionalLight(0xffffff);
     this.key.castShadow = true;
     this.key.shadow.mapSize.set(shadowPixels, shadowPixels);
     this.key.shadow.radius = 3;
-    this.sky = new THREE.HemisphereLight(0xffffff, 0xaeaaa6, 0.5);
+    this.sky = new THREE.HemisphereLight(0xffffff, 0xaeaaa6);
     this.sky.position.set(0, 0, 1);
     this.group = new THREE.Group();  // what is no body
     this.grid = new THREE.LineSegments(gridLines(10), gridMaterial());
@@ -67,8 +67,8 @@ class Ground {
     this.grid.material.uniforms.color.value.set(dark ? '#9aa3b2' : '#4a5260');
     this.grid.material.uniforms.opacity.value = dark ? 0.4 : 0.45;
     this.shade.material.opacity = dark ? 0.45 : 0.22;
-    this.key.intensity = dark ? 0.3 : 0.36;
-    this.sky.intensity = dark ? 0.42 : 0.5;
+    this.key.intensity = dark ? 0.28 : 0.32;
+    this.sky.intensity = dark ? 0.4 : 0.46;
   }
 
   // Under all of the points, and some way beyond them; `size`: of what is looked at [m].
@@ -78,6 +78,7 @@ class Ground {
     const middle = box.getCenter(new THREE.Vector3());
     const {x, y} = box.getSize(new THREE.Vector3());
     const cell = cellSize(size);
+    this.cell = cell;
     const cells = Math.min(mostCells, Math.ceil((0.9 * Math.hypot(x, y) + 6 * size) / cell));
     this.grid.geometry.dispose();
     this.grid.geometry = gridLines(cells);

@@ -65,6 +65,9 @@ class Studio {
     live.on('connected', (there) => {
       byId('connection').hidden = there;
     });
+    live.on('grid', (cell) => {
+      byId('grid-size').textContent = `grid: ${numberText(1000 * cell)} mm`;
+    });
     live.on('refused', (words) => this.say(words, true));
     live.on('recording', ({problem}) => this.say(problem, true));
     live.on('said', (words) => this.say(words));

@@ -128,9 +128,9 @@ class PlanPanel {
   // Where the hand moves on when it takes the object.
   waysOf(grasp) {
     const {handData} = this.stage;
-    return handData ?
-        directionWords(vectorOf(handData.approach).transformDirection(poseInWorld(grasp))) :
-        null;
+    if (!handData) return null;
+    const along = vectorOf(handData.approach).transformDirection(poseInWorld(grasp));
+    return directionWords(along).replaceAll(' and ', ' ');
   }
 
   async playPath(i) {

@@ -5,7 +5,7 @@
 const resultColumns = [
   {name: 'rank', words: 'rank', of: ({rank}) => rank},
   {name: 'epsilon', words: 'ε', of: ({epsilon}) => epsilon, falls: true},
-  {name: 'volume', words: 'volume', of: ({volume}) => volume ?? null, falls: true},
+  {name: 'volume', words: 'volume', of: ({volume}) => volume ?? null, falls: true, digits: 2},
   {
     name: 'weight',
     words: 'weight [N]',
@@ -84,7 +84,7 @@ class ResultsTable {
       if (typeof value === 'string') return element('td', {}, value);
       const text = value === null ? '' :
           column.name === 'path'  ? value.toFixed(1) :
-                                    numberText(value, 3);
+                                    numberText(value, column.digits || 3);
       const play = column.name === 'path' && value !== null ? this.playButton(rank) : null;
       return element('td', {class: 'number', 'data-cell': column.name}, text, play);
     });

@@ -38,7 +38,7 @@ class Stage extends CameraView {
 
   // The headlight only brightens what the lamp above leaves dark.
   light() {
-    this.lamp = new THREE.DirectionalLight(0xffffff, 0.26);
+    this.lamp = new THREE.DirectionalLight(0xffffff, 0.24);
     this.scene.add(this.lamp);
     this.ground = new Ground(this.scene, this.renderer);
   }
@@ -65,6 +65,7 @@ class Stage extends CameraView {
     if (groups.length === 0 && this.hand) groups.push(this.hand.root);
     this.scene.updateMatrixWorld(true);
     this.ground.place(groups.flatMap((group) => cornersOf(group)), radius);
+    this.live.tell('grid', this.ground.cell);
   }
 
   // How much bodies of a kind, "object" or "obstacle", hide of what is behind them: 1 for all.
