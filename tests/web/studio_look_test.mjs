@@ -33,6 +33,7 @@ function keepPicture(page, name) {
 
 // How many pixels of the stage change by what `change` does in the page.
 async function pixelsChangedBy(page, change) {
+  await atRest(page);  // in full resolution
   await keepPicture(page, 'pictureBefore');
   await page.page.evaluate(change);
   await keepPicture(page, 'pictureAfter');

@@ -3,7 +3,7 @@
 
 const keyDirection = new THREE.Vector3(0.35, -0.3, 1).normalize();  // towards the lamp
 const shadowPixels = 1024;
-const mostCells = 50;  // of the grid, from its middle to its edge
+const fewestCells = 12;  // of a large grid, from its middle to its edge: up to 2.5 times as many
 
 // The size of a cell [m]: 1, 2 or 5 times a power of ten, at most as large as said.
 function cellSize(most) {
@@ -77,9 +77,10 @@ class Ground {
     const box = new THREE.Box3().setFromPoints(points);
     const middle = box.getCenter(new THREE.Vector3());
     const {x, y} = box.getSize(new THREE.Vector3());
-    const cell = cellSize(size);
+    const wanted = 0.9 * Math.hypot(x, y) + 6 * size;
+    const cell = cellSize(Math.max(size, wanted / fewestCells));
     this.cell = cell;
-    const cells = Math.min(mostCells, Math.ceil((0.9 * Math.hypot(x, y) + 6 * size) / cell));
+    const cells = Math.ceil(wanted / cell);
     this.grid.geometry.dispose();
     this.grid.geometry = gridLines(cells);
     const reach = cells * cell;

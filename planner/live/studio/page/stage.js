@@ -38,7 +38,7 @@ class Stage extends CameraView {
 
   // The headlight only brightens what the lamp above leaves dark.
   light() {
-    this.lamp = new THREE.DirectionalLight(0xffffff, 0.24);
+    this.lamp = new THREE.DirectionalLight(0xffffff, 0.32);
     this.scene.add(this.lamp);
     this.ground = new Ground(this.scene, this.renderer);
   }
