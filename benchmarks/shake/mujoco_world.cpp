@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
-#include <mujoco/mujoco.h>
 #include <vector>
 
+#include "benchmarks/shake/mujoco_model.h"
 #include "sim/base/input_error.h"
 
 namespace prehend::bench {
@@ -23,37 +22,9 @@ constexpr double kOpeningStep = 1.0 / 400.0;
 // Part of the motion against a gear that it takes away at once (solimp), at most 0.9999.
 constexpr double kGearImpedance = 0.9999;
 
-void ignore_warning(const char* /*text*/) {}
-
-mjModel* load_model(const std::string& mjcf) {
-  mju_user_warning = ignore_warning;
-  const auto files = std::make_unique<mjVFS>();
-  mj_defaultVFS(files.get());
-  const char* const name = "model.xml";
-  mj_makeEmptyFileVFS(files.get(), name, static_cast<int>(mjcf.size()));
-  std::memcpy(files->filedata[mj_findFileVFS(files.get(), name)], mjcf.data(), mjcf.size());
-  std::array<char, 1000> error{};
-  mjModel* model = mj_loadXML(name, files.get(), error.data(), static_cast<int>(error.size()));
-  mj_deleteVFS(files.get());
-  if (model == nullptr) throw InputError({.problem = "MuJoCo: " + std::string(error.data())});
-  return model;
-}
-
-Pose pose_of(const mjtNum* p, const mjtNum* q) {
-  const Eigen::Quaterniond rotation(q[0], q[1], q[2], q[3]);
-  return pose_from(rotation.normalized().toRotationMatrix(), {p[0], p[1], p[2]});
-}
-
 }  // namespace
 
 struct MujocoWorld::Data {
-  struct FreeModel {
-    void operator()(mjModel* of) const { mj_deleteModel(of); }
-    void operator()(mjData* of) const { mj_deleteData(of); }
-  };
-  using Model = std::unique_ptr<mjModel, FreeModel>;
-  using State = std::unique_ptr<mjData, FreeModel>;
-
   // The motion of the base between two poses, as velocities in the world.
   struct Twist {
     Vector3 linear = Vector3::Zero();
@@ -70,9 +41,9 @@ struct MujocoWorld::Data {
     std::array<mjtNum, 2> range = {};  // of the joint as the model has it
   };
 
-  Model model;
-  State state;
-  State kept;
+  MujocoModel model;
+  MujocoState state;
+  MujocoState kept;
   int base = -1;  // bodies
   int target = -1;
   int object = -1;
@@ -226,9 +197,9 @@ void MujocoWorld::Data::follow_locked() const {
 }
 
 MujocoWorld::MujocoWorld(const std::string& mjcf) : data_(std::make_unique<Data>()) {
-  data_->model = Data::Model(load_model(mjcf));
-  data_->state = Data::State(mj_makeData(data_->model.get()));
-  data_->kept = Data::State(mj_makeData(data_->model.get()));
+  data_->model = load_mujoco(mjcf);
+  data_->state = MujocoState(mj_makeData(data_->model.get()));
+  data_->kept = MujocoState(mj_makeData(data_->model.get()));
   data_->find_bodies();
   data_->make_base_heavy();
   data_->efforts.assign(static_cast<std::size_t>(data_->model->njnt), 1.0);
@@ -303,7 +274,7 @@ void MujocoWorld::start(const StartOptions& options) {
   data_->unlock();
   data_->start_joints.assign(state->qpos, state->qpos + model->nq);
   mj_forward(model, state);
-  data_->X_WH = pose_of(state->xpos + 3 * data_->base, state->xquat + 4 * data_->base);
+  data_->X_WH = mujoco_pose(state->xpos + 3 * data_->base, state->xquat + 4 * data_->base);
   data_->velocity = {};
   data_->drive = Data::Drive::still;
 }
@@ -367,7 +338,7 @@ Pose MujocoWorld::base() const { return data_->X_WH; }
 
 Pose MujocoWorld::object() const {
   const mjtNum* qpos = data_->state->qpos + data_->qpos_of(data_->object);
-  return pose_of(qpos, qpos + 3);
+  return mujoco_pose(qpos, qpos + 3);
 }
 
 Vector3 MujocoWorld::center_of_mass() const {
@@ -418,19 +389,12 @@ double MujocoWorld::overlap() const { return data_->overlap(); }
 
 double MujocoWorld::opened() const { return data_->start_opened; }
 
-bool MujocoWorld::is_unstable() const {
-  // With too many contacts some would be left out.
-  for (const int warning :
-       {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC, mjWARN_CONTACTFULL, mjWARN_CNSTRFULL}) {
-    if (data_->state->warning[warning].number > 0) return true;
-  }
-  return false;
-}
+bool MujocoWorld::is_unstable() const { return mujoco_is_unstable(*data_->state); }
 
 Pose MujocoWorld::body(const std::string& name) const {
   const int id = mj_name2id(data_->model.get(), mjOBJ_BODY, name.c_str());
   if (id < 0) throw InputError({.problem = "no body of this name", .value = name});
-  return pose_of(data_->state->xpos + 3 * id, data_->state->xquat + 4 * id);
+  return mujoco_pose(data_->state->xpos + 3 * id, data_->state->xquat + 4 * id);
 }
 
 void MujocoWorld::keep() {
@@ -450,8 +414,8 @@ void MujocoWorld::go_back() {
 }
 
 double drift_as_loaded(const std::string& mjcf, double seconds) {
-  const MujocoWorld::Data::Model model(load_model(mjcf));
-  const MujocoWorld::Data::State state(mj_makeData(model.get()));
+  const MujocoModel model = load_mujoco(mjcf);
+  const MujocoState state(mj_makeData(model.get()));
   mj_resetDataKeyframe(model.get(), state.get(), 0);
   const mjtNum* p = state->qpos + model->nq - 7;  // of the object, which is the last
   const Vector3 before(p[0], p[1], p[2]);
@@ -460,8 +424,8 @@ double drift_as_loaded(const std::string& mjcf, double seconds) {
 }
 
 double joint_drift(const std::string& mjcf, const std::string& keyframe, double seconds) {
-  const MujocoWorld::Data::Model model(load_model(mjcf));
-  const MujocoWorld::Data::State state(mj_makeData(model.get()));
+  const MujocoModel model = load_mujoco(mjcf);
+  const MujocoState state(mj_makeData(model.get()));
   const int key = mj_name2id(model.get(), mjOBJ_KEY, keyframe.c_str());
   mj_resetDataKeyframe(model.get(), state.get(), key);
   while (state->time < seconds) mj_step(model.get(), state.get());

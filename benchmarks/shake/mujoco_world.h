@@ -1,4 +1,4 @@
-// An exported grasp in MuJoCo: the only one to know MuJoCo.
+// An exported grasp in MuJoCo.
 #pragma once
 
 #include <memory>
