@@ -1,0 +1,52 @@
+// An object that hangs on suction cups, in MuJoCo: its adhesion actuators pull with the force of
+// the vacuum.
+#pragma once
+
+#include <vector>
+
+#include "sim/base/pose.h"
+#include "sim/robot/inertial.h"
+#include "sim/shape/triangle_mesh.h"
+
+namespace prehend::bench {
+
+// A cup that seals, relaxed, in the object's frame.
+struct HangingCup {
+  Vector3 center_O = Vector3::Zero();  // of the lip [m]
+  Vector3 axis_O = Vector3::UnitZ();   // unit, out of the cup towards the object
+  double radius = 0.0;                 // of the lip [m]
+  double travel = 0.0;                 // of a point of the lip, either way [m]
+  double stiffness = 0.0;              // of the whole lip along the axis [N/m]
+  double friction = 0.0;
+  double pull = 0.0;  // force of the vacuum [N]
+};
+
+struct HangingObject {
+  Inertial inertial;                 // frame O
+  std::vector<TriangleMesh> pieces;  // convex, frame O
+  std::vector<HangingCup> cups;
+  Vector3 down_O = -Vector3::UnitZ();  // unit, where gravity pulls at the start
+};
+
+// What becomes of the vacuum of a cup when a point of its lip comes off the object.
+enum class LiftedLip {
+  adheres,  // the points that still touch share the same force: MuJoCo's adhesion, which knows no
+            // seal
+  leaks,    // the cup has no vacuum any more
+};
+
+struct HangingEnd {
+  bool held = false;    // the object came to rest on cups with vacuum
+  bool lifted = false;  // some point of a lip came off
+  double moved = 0.0;   // the centre of mass [m]
+  double tilted = 0.0;  // the largest turn of the object about tangents of the first cup [rad]
+  bool unstable = false;
+};
+
+// The cups stay where they are. Each lip is a ring of points on springs along the axis of the cup,
+// which touch the object at the start, with the stiffness of the lip; nothing else of the hand is
+// there. The weight grows in one second, and stays for two. Throws InputError where a point of a
+// lip is beside the pieces, and for a model that MuJoCo refuses.
+HangingEnd hang_in_mujoco(const HangingObject& object, LiftedLip lifted);
+
+}  // namespace prehend::bench
