@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "benchmarks/shake/opinions.h"
+#include "benchmarks/support/word_reader.h"
 #include "planner/plan/path/fcl_mesh.h"
 #include "planner/plan/plan.h"
 #include "sim/base/index.h"
@@ -38,19 +39,16 @@ struct Arguments {
 
 Arguments read_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const auto value = [&] {
-      if (i + 1 >= words.size()) throw InputError({.field = words[i], .problem = "needs a value"});
-      return words[++i];
-    };
-    if (words[i] == "--trials")
-      arguments.trials = std::stoi(value());
-    else if (words[i] == "--grasps")
-      arguments.grasps = std::stoi(value());
-    else if (words[i] == "--hand")
-      arguments.hands.push_back(value());
+  WordReader reader(words);
+  while (reader.next()) {
+    if (reader.word() == "--trials")
+      arguments.trials = reader.number();
+    else if (reader.word() == "--grasps")
+      arguments.grasps = reader.number();
+    else if (reader.word() == "--hand")
+      arguments.hands.push_back(reader.text());
     else
-      arguments.meshes.push_back(words[i]);
+      arguments.meshes.push_back(reader.word());
   }
   if (arguments.hands.empty()) arguments.hands = {"allegro", "shadow_like", "dlr"};
   if (arguments.meshes.empty()) {

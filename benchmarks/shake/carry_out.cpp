@@ -17,6 +17,7 @@
 #include "benchmarks/shake/carry_file.h"
 #include "benchmarks/shake/mujoco_shake.h"
 #include "benchmarks/shake/opinions.h"
+#include "benchmarks/support/word_reader.h"
 #include "planner/plan/free_grasps.h"
 #include "planner/plan/plan.h"
 #include "sim/base/input_error.h"
@@ -39,23 +40,20 @@ struct Arguments {
 
 Arguments read_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const auto value = [&] {
-      if (i + 1 >= words.size()) throw InputError({.field = words[i], .problem = "needs a value"});
-      return words[++i];
-    };
-    if (words[i] == "--grasps")
-      arguments.grasps = std::stoi(value());
-    else if (words[i] == "--trials")
-      arguments.trials = std::stoi(value());
-    else if (words[i] == "--list")
+  WordReader reader(words);
+  while (reader.next()) {
+    if (reader.word() == "--grasps")
+      arguments.grasps = reader.number();
+    else if (reader.word() == "--trials")
+      arguments.trials = reader.number();
+    else if (reader.word() == "--list")
       arguments.list = true;
-    else if (words[i] == "--write")
-      arguments.write = value();
-    else if (words[i] == "--hand")
-      arguments.hands.push_back(value());
+    else if (reader.word() == "--write")
+      arguments.write = reader.text();
+    else if (reader.word() == "--hand")
+      arguments.hands.push_back(reader.text());
     else
-      arguments.objects.push_back(words[i]);
+      arguments.objects.push_back(reader.word());
   }
   if (arguments.hands.empty()) {
     arguments.hands = {"franka_hand", "robotiq_2f85", "barrett", "robotiq_3f", "allegro"};

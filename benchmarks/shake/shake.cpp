@@ -12,6 +12,7 @@
 
 #include "benchmarks/shake/shake_cases.h"
 #include "benchmarks/shake/shake_table.h"
+#include "benchmarks/support/word_reader.h"
 #include "sim/base/input_error.h"
 #include "sim/manipulation/test_procedure_file.h"
 
@@ -28,21 +29,18 @@ struct Arguments {
 
 Arguments read_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const auto value = [&] {
-      if (i + 1 >= words.size()) throw InputError({.field = words[i], .problem = "needs a value"});
-      return words[++i];
-    };
-    if (words[i] == "--grasps")
-      arguments.grasps = std::stoi(value());
-    else if (words[i] == "--trials")
-      arguments.trials = std::stoi(value());
-    else if (words[i] == "--no-causes")
+  WordReader reader(words);
+  while (reader.next()) {
+    if (reader.word() == "--grasps")
+      arguments.grasps = reader.number();
+    else if (reader.word() == "--trials")
+      arguments.trials = reader.number();
+    else if (reader.word() == "--no-causes")
       arguments.explain = false;
-    else if (words[i] == "--protocol")
-      arguments.protocols.push_back(value());
+    else if (reader.word() == "--protocol")
+      arguments.protocols.push_back(reader.text());
     else
-      arguments.cases.push_back(words[i]);
+      arguments.cases.push_back(reader.word());
   }
   if (arguments.protocols.empty()) arguments.protocols = library_test_procedure_names();
   if (arguments.cases.empty()) {

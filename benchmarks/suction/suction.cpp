@@ -60,10 +60,11 @@ Arguments arguments_of(const std::vector<std::string>& words) {
 std::vector<SuctionCase> cases_of(const Arguments& arguments) {
   std::vector<SuctionCase> cases;
   for (const std::string& mesh : arguments.meshes) {
+    std::vector<TriangleMesh> pieces;
     for (const std::string& hand : arguments.hands) {
       try {
-        cases.push_back(
-            suction_case(mesh, hand, arguments.trials, static_cast<std::size_t>(arguments.grasps)));
+        cases.push_back(suction_case(mesh, hand, arguments.trials,
+                                     static_cast<std::size_t>(arguments.grasps), pieces));
         std::fprintf(stderr, "%s, %s: %zu grasps\n", mesh.c_str(), hand.c_str(),
                      cases.back().grasps.size());
       } catch (const InputError& error) {

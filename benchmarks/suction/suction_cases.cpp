@@ -91,7 +91,7 @@ HangingObject hanging_of(const SuctionCase& of, const Trial& grasp, const Vector
 }  // namespace
 
 SuctionCase suction_case(const std::string& mesh, const std::string& hand, int trials,
-                         std::size_t most) {
+                         std::size_t most, std::vector<TriangleMesh>& pieces) {
   SuctionCase made{std::filesystem::path(mesh).stem().string(), hand, {}, {}, {}};
   SceneSource source;
   source.hand = hand;
@@ -110,7 +110,9 @@ SuctionCase suction_case(const std::string& mesh, const std::string& hand, int t
     ways.push_back(off_center(made.scene, found.back()).norm());
   }
   for (const std::size_t k : spread_over(ways, most)) made.grasps.push_back(found[k]);
-  if (!found.empty()) made.pieces = convex_pieces(made.scene.scene.object.mesh).pieces;
+  if (found.empty()) return made;
+  if (pieces.empty()) pieces = convex_pieces(made.scene.scene.object.mesh).pieces;
+  made.pieces = pieces;
   return made;
 }
 

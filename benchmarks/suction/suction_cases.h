@@ -20,9 +20,10 @@ struct SuctionCase {
 };
 
 // Grasps of a plan on the object of a mesh file, at most so many: from the one whose approach
-// passes nearest to the centre of mass to the one that passes farthest from it. Throws InputError.
+// passes nearest to the centre of mass to the one that passes farthest from it. `pieces` are those
+// of the object, made here where there are none yet. Throws InputError.
 SuctionCase suction_case(const std::string& mesh, const std::string& hand, int trials,
-                         std::size_t most);
+                         std::size_t most, std::vector<TriangleMesh>& pieces);
 
 // A grasp with a weight on it.
 struct SuctionPick {
