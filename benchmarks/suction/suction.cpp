@@ -133,7 +133,7 @@ void print_pick(const SuctionPick& pick, const BothEnds& ends) {
               pick.elastic_margin);
   print_end(ends.adheres);
   print_end(ends.leaks);
-  std::printf("\n");
+  std::printf(" linear %.2f, facing %.2f\n", ends.adheres.linear_margin, ends.adheres.facing);
 }
 
 int run(const std::vector<std::string>& words) {

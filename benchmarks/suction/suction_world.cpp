@@ -19,12 +19,14 @@
 namespace prehend::bench {
 namespace {
 
-constexpr int kLipPoints = 24;
+constexpr int kLipPoints = 16;
 constexpr double kPointRadius = 1e-3;  // m
 // A point weighs enough for its contacts to be much stiffer than its spring [kg].
 constexpr double kPointMass = 5e-3;
-// By which points begin inside the object: adhesion acts on what touches [m].
+// By which points begin inside the object [m].
 constexpr double kStartOverlap = 2e-5;
+// Adhesion acts as far as that, at which surfaces touch for the planner as well [m].
+constexpr double kSuckedGap = 1e-4;
 
 // As in exported models (mjcf.h), with which held objects neither creep nor sink in.
 constexpr double kTimeStep = 1e-3;     // s
@@ -36,7 +38,7 @@ constexpr double kHoldTime = 2.0;    // s
 // What comes to rest moves less in the last part of that time [s, m].
 constexpr double kRestTime = 0.2;
 constexpr double kRestWay = 1e-3;
-// A point of a lip has come off when it does not touch for so long [s].
+// A point of a lip has come off when it is farther than kSuckedGap for so long [s].
 constexpr double kLiftTime = 5e-3;
 // What is so far away is lost [m].
 constexpr double kFar = 0.5;
@@ -44,6 +46,7 @@ constexpr double kFar = 0.5;
 struct LipPoint {
   int cup = 0;
   Vector3 center_O = Vector3::Zero();
+  double facing = 1.0;  // cosine between the axis of the cup and the surface's normal
 };
 
 // Where the ring meets the pieces along the axis of the cup, from twice the travel behind it, as
@@ -71,16 +74,48 @@ std::vector<LipPoint> lip_points(const std::vector<HangingCup>& cups,
         nearest = hit.distance;
         const Vector3 normal =
             doubled_area_vector(mesh.mesh(), index(hit.triangle)).stableNormalized();
-        cosine = std::max(kLeastCosine, -normal.dot(cup.axis_O));
+        cosine = -normal.dot(cup.axis_O);
       }
       if (std::isinf(nearest)) {
         throw InputError({.problem = "a lip is beside the convex pieces of the object"});
       }
-      const double way = nearest - (kPointRadius - kStartOverlap) / cosine;
-      points.push_back({static_cast<int>(c), from + way * cup.axis_O});
+      const double way = nearest - (kPointRadius - kStartOverlap) / std::max(kLeastCosine, cosine);
+      points.push_back({static_cast<int>(c), from + way * cup.axis_O, cosine});
     }
   }
   return points;
+}
+
+// Of a rigid object on parallel springs: each bears what it does where the pull of its cup, divided
+// by its points, is taken away by the weight.
+double linear_margin(const HangingObject& object, const std::vector<LipPoint>& points) {
+  const Vector3 axis = object.cups.front().axis_O;
+  const Vector3 x = any_orthogonal(axis);
+  const Vector3 y = axis.cross(x);
+  Vector3 middle = Vector3::Zero();
+  for (const LipPoint& point : points) {
+    middle += point.center_O / static_cast<double>(points.size());
+  }
+  // How far a point goes along the axis, for a motion along it and turns about x and y.
+  const auto way = [&](const LipPoint& point) {
+    const Vector3 from = point.center_O - middle;
+    return Vector3(1.0, from.dot(y), -from.dot(x));
+  };
+  Matrix3 stiffness = Matrix3::Zero();
+  for (const LipPoint& point : points) {
+    stiffness +=
+        object.cups[index(point.cup)].stiffness / kLipPoints * way(point) * way(point).transpose();
+  }
+  const Vector3 weight = object.inertial.mass * kStandardGravity * object.down_O;
+  const Vector3 torque = (object.inertial.center_of_mass - middle).cross(weight);
+  const Vector3 motion =
+      stiffness.ldlt().solve(Vector3(axis.dot(weight), x.dot(torque), y.dot(torque)));
+  double most = 0.0;  // of the pulls
+  for (const LipPoint& point : points) {
+    const HangingCup& cup = object.cups[index(point.cup)];
+    most = std::max(most, cup.stiffness * way(point).dot(motion) / cup.pull);
+  }
+  return most > 0.0 ? 1.0 / most : std::numeric_limits<double>::infinity();
 }
 
 std::string point_name(std::size_t k) { return "lip_" + std::to_string(k); }
@@ -100,6 +135,8 @@ void write_point(XmlText& xml, const HangingCup& cup, const LipPoint& point, std
   xml.element("geom", {{"name", point_name(k)},
                        {"type", "sphere"},
                        {"size", number_text(kPointRadius)},
+                       {"margin", number_text(kSuckedGap)},
+                       {"gap", number_text(kSuckedGap)},
                        {"priority", "1"},
                        {"friction", numbers_text({cup.friction, 0.0, 0.0})}});
   xml.close();
@@ -181,7 +218,8 @@ class HangingRun {
   bool came_off_ = false;        // some point
 };
 
-// Geoms of points have the numbers of the points, as they come first.
+// Contacts are there from kSuckedGap on. Geoms of points have the numbers of the points, as they
+// come first.
 void HangingRun::look_at_contacts() {
   for (int c = 0; c < state_->ncon; ++c) {
     const mjContact& contact = state_->contact[c];
@@ -222,6 +260,10 @@ HangingEnd HangingRun::run() {
   const Vector3 start = object_.inertial.center_of_mass;
   Vector3 before_rest = start;
   HangingEnd result;
+  result.linear_margin = linear_margin(object_, points_);
+  for (const LipPoint& point : points_) {
+    result.facing += point.facing / static_cast<double>(points_.size());
+  }
   while (state_->time < end) {
     look_at_contacts();
     pull();

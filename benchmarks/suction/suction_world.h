@@ -37,9 +37,15 @@ enum class LiftedLip {
 
 struct HangingEnd {
   bool held = false;    // the object came to rest on cups with vacuum
-  bool lifted = false;  // some point of a lip came off
+  bool lifted = false;  // some point of a lip came off, by 0.1 mm
   double moved = 0.0;   // the centre of mass [m]
   double tilted = 0.0;  // the largest turn of the object about tangents of the first cup [rad]
+  // Mean cosine between the axes of the cups and the normals under their lips, along which adhesion
+  // acts.
+  double facing = 0.0;
+  // How many times the weight the cups would bear before a point of a lip comes off, if friction
+  // held and all lips were springs that share it.
+  double linear_margin = 0.0;
   bool unstable = false;
 };
 
