@@ -148,6 +148,7 @@ int run(const std::vector<std::string>& words) {
     results.push_back(result_of(picks[k], *ends[k]));
     if (arguments.list) print_pick(picks[k], *ends[k]);
   }
+  if (results.empty()) throw InputError({.field = "MESH", .problem = "nothing was lifted"});
   std::printf("%s%s", arguments.list ? "\n" : "", suction_tables(results).c_str());
   return 0;
 }
