@@ -29,7 +29,7 @@ constexpr double kLargestMargin = 3.0;
 struct Arguments {
   int picks = 100;
   int grasps = 8;  // of an object and a hand, at most
-  int trials = 300;
+  int trials = 200;
   bool list = false;
   std::vector<std::string> hands;
   std::vector<std::string> meshes;
@@ -112,7 +112,7 @@ std::optional<BothEnds> ends_of(const SuctionPick& pick) {
 }
 
 SuctionResult result_of(const SuctionPick& pick, const BothEnds& ends) {
-  SuctionResult result{pick.hand, pick.attitude, pick.margin, {}};
+  SuctionResult result{pick.hand, pick.attitude, pick.margin, pick.elastic_margin, {}};
   result.held[HeldReading::adhesion] = ends.adheres.held;
   result.held[HeldReading::seal] = ends.leaks.held;
   result.held[HeldReading::strain] = ends.leaks.held && ends.leaks.tilted <= pick.strain;

@@ -30,8 +30,9 @@ std::string head_of(const std::vector<std::string>& cells) {
 }
 
 std::string agreement_table(const std::vector<SuctionResult>& results) {
-  std::string table = head_of({"held in MuJoCo by", "predicted to hold: held", "lost",
-                               "predicted not to: held", "lost", "agree"});
+  std::string table =
+      head_of({"held in MuJoCo by", "predicted to hold: held", "lost", "predicted not to: held",
+               "lost", "agree", "agree without the bound on bending"});
   for (const HeldReading reading : kAll<HeldReading>) {
     const auto count = [&](bool predicts, bool holds) {
       return count_of(results, [&](const SuctionResult& of) {
@@ -39,10 +40,13 @@ std::string agreement_table(const std::vector<SuctionResult>& results) {
       });
     };
     const int agree = count(true, true) + count(false, false);
+    const int elastic = count_of(results, [&](const SuctionResult& of) {
+      return (of.elastic_margin >= 1.0) == of.held[reading];
+    });
     table += row_of({std::string(name_of(reading)), std::to_string(count(true, true)),
                      std::to_string(count(true, false)), std::to_string(count(false, true)),
                      std::to_string(count(false, false)),
-                     formatted("**%d of %zu**", agree, results.size())});
+                     formatted("**%d of %zu**", agree, results.size()), std::to_string(elastic)});
   }
   return table;
 }

@@ -25,11 +25,13 @@ constexpr auto enum_names(HeldReading /*of*/) {
 struct SuctionResult {
   std::string hand;
   HungAttitude attitude = HungAttitude::as_it_lies;
-  double margin = 0.0;  // predicted: held from 1 on
+  double margin = 0.0;          // predicted: held from 1 on
+  double elastic_margin = 0.0;  // as SuctionPick
   EnumArray<HeldReading, bool> held;
 };
 
-// How often both agree, for each reading; by hand and attitude; and what is held by margin.
+// How often both agree, for each reading, also where lips are elastic however far they are bent; by
+// hand and attitude; and what is held by margin.
 std::string suction_tables(const std::vector<SuctionResult>& results);
 
 }  // namespace prehend::bench

@@ -112,6 +112,7 @@ class HangingRun {
         lifted_(lifted),
         body_(mj_name2id(model_.get(), mjOBJ_BODY, "object")),
         touched_(points_.size(), 0.0),
+        lies_(points_.size(), false),
         sealed_(object.cups.size(), true) {
     mj_forward(model_.get(), state_.get());
   }
@@ -131,8 +132,11 @@ class HangingRun {
   LiftedLip lifted_;
   int body_;
   std::vector<double> touched_;  // when each point did last [s]
-  std::vector<bool> sealed_;     // each cup
-  bool came_off_ = false;        // some point
+  // Whether each point lies on the object before it weighs anything. Where the pieces reach out of
+  // the object beside a point, it does not, and says nothing of the seal.
+  std::vector<bool> lies_;
+  std::vector<bool> sealed_;  // each cup
+  bool came_off_ = false;     // some point
 };
 
 // Contacts are there from kSuckedGap on. Geoms of points have the numbers of the points, as they
@@ -143,11 +147,14 @@ void HangingRun::look_at_contacts() {
     const int point = std::min(contact.geom1, contact.geom2);
     if (point < static_cast<int>(points_.size())) touched_[index(point)] = state_->time;
   }
-  if (state_->time < kSettleTime) return;
   for (std::size_t k = 0; k < points_.size(); ++k) {
-    if (state_->time - touched_[k] <= kLiftTime) continue;
-    came_off_ = true;
-    if (lifted_ == LiftedLip::leaks) sealed_[index(points_[k].cup)] = false;
+    const bool apart = state_->time - touched_[k] > kLiftTime;
+    if (state_->time < kSettleTime) {
+      lies_[k] = !apart;
+    } else if (apart && lies_[k]) {
+      came_off_ = true;
+      if (lifted_ == LiftedLip::leaks) sealed_[index(points_[k].cup)] = false;
+    }
   }
 }
 

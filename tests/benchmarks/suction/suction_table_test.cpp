@@ -6,7 +6,7 @@ namespace prehend::bench {
 namespace {
 
 SuctionResult result(double margin, HungAttitude attitude, bool adhesion, bool seal, bool strain) {
-  SuctionResult made{"cup", attitude, margin, {}};
+  SuctionResult made{"cup", attitude, margin, 2.0 * margin, {}};
   made.held[HeldReading::adhesion] = adhesion;
   made.held[HeldReading::seal] = seal;
   made.held[HeldReading::strain] = strain;
@@ -21,9 +21,9 @@ TEST(SuctionTable, CountsWhereBothAgree) {
       result(0.4, HungAttitude::sideways, false, false, false),
   });
   for (const char* row : {
-           "| adhesion alone | 2 | 0 | 1 | 1 | **3 of 4** |",
-           "| ... that ends where the lip lifts | 1 | 1 | 1 | 1 | **2 of 4** |",
-           "| ... and tilts within the strain | 1 | 1 | 0 | 2 | **3 of 4** |",
+           "| adhesion alone | 2 | 0 | 1 | 1 | **3 of 4** | 4 |",
+           "| ... that ends where the lip lifts | 1 | 1 | 1 | 1 | **2 of 4** | 3 |",
+           "| ... and tilts within the strain | 1 | 1 | 0 | 2 | **3 of 4** | 2 |",
            "| `cup` | 4 | 3 | 2 | 3 |",
            "| worst | 2 | 2 | 1 | 1 |",
            "| sideways | 2 | 1 | 1 | 2 |",
