@@ -6,6 +6,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/require_settings.h"
+#include "sim/motion/dynamic_grasp/scene_world.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/approach.h"
 #include "sim/trial/approach_line.h"
