@@ -51,7 +51,7 @@ class Batch(unittest.TestCase):
         self.file = self.folder / "batch.json"
         self.file.write_text(json.dumps({
             "objects": [f"cuboid_{i}.obj" for i in range(SHARDS)], "hands": ["franka_hand"],
-            "settings": [{"accuracy": "standard", "trials": 1500}]}))
+            "settings": [{"accuracy": "standard", "trials": 4000}]}))
         self.out = self.folder / AWKWARD
 
     def run_prehend(self, *words, status=0):
