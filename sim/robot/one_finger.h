@@ -8,6 +8,10 @@
 
 namespace prehend {
 
+// What such a hand keeps from an object that it slides along to its fixed jaw [m]. Without room,
+// proofs that it meets nothing on the way would be of tiny steps.
+inline constexpr double kSlidingRoom = 2e-3;
+
 // The direction, orthogonal to the unit vector `approach`, in which the only finger of a hand
 // pushes what is before it as it closes, at these joint values [rad or m]; base frame, unit.
 // `closing`: the velocity of each degree of freedom as the hand closes [rad/s or m/s]. Nothing for

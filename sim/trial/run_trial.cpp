@@ -7,6 +7,7 @@
 #include "sim/base/index.h"
 #include "sim/base/require_settings.h"
 #include "sim/motion/dynamic_grasp/scene_world.h"
+#include "sim/robot/one_finger.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/approach.h"
 #include "sim/trial/approach_line.h"
@@ -35,10 +36,6 @@ TrialWorkspace::TrialWorkspace(TrialWorkspace&& other) noexcept = default;
 TrialWorkspace& TrialWorkspace::operator=(TrialWorkspace&& other) noexcept = default;
 
 namespace {
-
-// What a hand that slides along the object to its fixed jaw keeps from what it touches [m]. Without
-// room, proofs that it meets nothing on the way would be of tiny steps.
-constexpr double kSlidingRoom = 2e-3;
 
 // As a new trial, with the memory of its lists.
 void clear(Trial& trial) {
@@ -248,7 +245,9 @@ class TrialRun {
   // Closes the hand at this travel of its approach.
   void close_at(double travel, Trial& trial) {
     const Timer timer(seconds_.close);
-    if (scene_.pushing_H) travel = std::max(0.0, travel - kSlidingRoom);
+    // A hand that closes in time pushes the object as it closes.
+    const bool pushes = scene_.pushing_H && !options_.formation.dynamic;
+    if (pushes) travel = std::max(0.0, travel - kSlidingRoom);
     trial.travel = travel;
     start_.X_OH = motion_.at(travel);
     // Backing off changes every gap by at most the retreat.
@@ -257,7 +256,12 @@ class TrialRun {
       clearance = std::max(0.0, clearance - (buffers_.reached.travel - travel));
     }
     const Vector3 before = start_.X_OH.translation();
-    if (scene_.pushing_H) push_to_fixed_jaw(*scene_.pushing_H);
+    if (pushes) push_to_fixed_jaw(*scene_.pushing_H);
+    close_from_start(trial);
+    trial.pushed += before - start_.X_OH.translation();
+  }
+
+  void close_from_start(Trial& trial) {
     if (options_.formation.dynamic) {
       close_dynamic(scene_, hand_model(scene_), start_, options_, buffers_.grasping, trial,
                     context_);
@@ -268,7 +272,6 @@ class TrialRun {
       return;
     }
     close_and_score(scene_, start_, options_, buffers_.grasping, trial, context_);
-    if (scene_.pushing_H) trial.pushed += before - start_.X_OH.translation();
     settle(scene_, options_, buffers_.settling, buffers_.grasping, trial, context_);
   }
 

@@ -145,9 +145,7 @@ Pose TestClosing::pushed(const ProximityMesh& body, const Pose& X_BS, const Vect
   const auto push =
       pushing_direction(robot_, joint_values(robot_, dofs), closing_.velocity, approach);
   if (!push) return X_BS;
-  // Not along what it touches: the steps would be tiny.
-  constexpr double kRoom = 2e-3;  // m
-  const Pose X_BS_free = translation(kRoom * approach) * X_BS;
+  const Pose X_BS_free = translation(kSlidingRoom * approach) * X_BS;
   const double way = way_in(body, X_BS_free, -*push, most, dofs);
   return way > 0.0 && way < most ? translation(way * *push) * X_BS_free : X_BS;
 }

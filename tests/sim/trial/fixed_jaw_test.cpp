@@ -66,6 +66,20 @@ TEST(FixedJaw, HoldsWhatIsPushedAgainstIt) {
   EXPECT_TRUE(fixed && moving);
 }
 
+// Its dynamics do so where a hand closes in time.
+TEST(FixedJaw, IsNotGoneToByAHandThatClosesInTime) {
+  const CompiledScene scene =
+      test::compiled(with_derived_hand(one_jaw()), make_box(Vector3(0.02, 0.02, 0.02)));
+  Candidate candidate;
+  candidate.X_OH = translation(Vector3(0.0, 0.0, -0.05));
+  candidate.preshape = 0;
+  TrialOptions options;
+  options.formation.dynamic = true;
+  const Trial trial = run_trial(scene, candidate, options);
+  EXPECT_TRUE(trial.pushed.isZero(0.0));
+  EXPECT_TRUE(trial.X_OC.has_value());
+}
+
 // Where the jaw is too far away, nothing is pushed.
 TEST(FixedJaw, IsNotMetByWhatIsBesideTheHand) {
   const CompiledScene scene =
