@@ -32,6 +32,7 @@ struct ViewResult {
   bool holds = false;  // on the true mesh, on the table, where the hand comes until it touches
   bool holds_as_planned = false;  // where it goes as far as in the plan
   std::string outcome = {};
+  double milliseconds = 0.0;  // that the plan took, by the clock
 };
 
 // An object on a table.
@@ -53,7 +54,7 @@ TriangleMesh hull_of_seen(const SeenObject& object);
 // A hand at an object on a table.
 class Grasping {
  public:
-  Grasping(const TableCase& object, std::string hand);
+  Grasping(const TableCase& object, std::string hand, int threads);
 
   // Plans on a mesh in W, and tries the best grasp on the true one. `others`: of the best
   // grasps, the one with the largest mean epsilon on these shapes is tried.
@@ -65,6 +66,7 @@ class Grasping {
  private:
   std::string hand_;
   TriangleMesh true_W_;
+  int threads_;
 };
 
 }  // namespace prehend::bench
