@@ -98,6 +98,11 @@ void add_choice(CLI::App& command, ChoiceWords& words) {
                      "two corners of a box, x,y,z:x,y,z in mm; may be repeated");
   command.add_option("--prefer", words.preferred,
                      "the same of parts: grasps that touch nothing else come first");
+  command
+      .add_option("--apart", words.apart,
+                  "how far the hand keeps from the other objects, in metres; 0: fingers that close "
+                  "may end at them, which touches them lightly")
+      ->capture_default_str();
 }
 
 namespace {
@@ -127,7 +132,7 @@ SurfaceRegion region_of_words(const char* option, const std::string& words) {
 }  // namespace
 
 ObjectChoice object_choice(const ChoiceWords& words) {
-  ObjectChoice choice{.object = words.object};
+  ObjectChoice choice{.object = words.object, .apart = words.apart};
   for (const std::string& one : words.keep_out) {
     choice.keep_out.push_back(region_of_words("--keep-out", one));
   }

@@ -87,14 +87,15 @@ void add_unit(CLI::App& command, std::string& unit);
 // The same, and --no-repair.
 void add_mesh_options(CLI::App& command, std::string& unit, bool& repair);
 
-// Words of --object, --keep-out and --prefer.
+// Words of --object, --keep-out, --prefer and --apart.
 struct ChoiceWords {
   std::string object = {};
   std::vector<std::string> keep_out = {};
   std::vector<std::string> preferred = {};
+  double apart = 0.0;  // m
 };
 
-// --object, --keep-out, --prefer.
+// --object, --keep-out, --prefer, --apart.
 void add_choice(CLI::App& command, ChoiceWords& words);
 
 // What they say. A region is the name of a part of the mesh file, or two opposite corners of a box

@@ -39,10 +39,11 @@ std::vector<SurfaceRegion> regions_in_json(const char* argument, const std::stri
 
 SceneHandle load_scene_in_python(const std::string& name_or_file, const std::string& hand,
                                  const std::string& unit, bool repair, const std::string& object,
-                                 const std::string& keep_out, const std::string& preferred) {
+                                 const std::string& keep_out, const std::string& preferred,
+                                 double apart) {
   const std::filesystem::path file = find_scene(name_or_file);
   const ObjectChoice choice{object, regions_in_json("keep_out", keep_out),
-                            regions_in_json("preferred", preferred)};
+                            regions_in_json("preferred", preferred), apart};
   SceneHandle handle{
       load_scene(file, {.hand = hand, .unit = unit, .repair = repair, .choice = choice}), {}};
   handle.origin = {scene_reference(file), unit_of_source(file, handle.scene), hand, repair, choice};

@@ -144,6 +144,7 @@ void read_choice(FieldReader& fields, ObjectChoice& choice) {
   fields("object", choice.object);
   if (fields.allow("keep_out")) choice.keep_out = read_regions(fields.field()["keep_out"]);
   if (fields.allow("preferred")) choice.preferred = read_regions(fields.field()["preferred"]);
+  fields("apart", choice.apart);
 }
 
 void write_choice(FieldWriter& fields, const ObjectChoice& choice) {
@@ -153,6 +154,7 @@ void write_choice(FieldWriter& fields, const ObjectChoice& choice) {
   };
   write("keep_out", choice.keep_out);
   write("preferred", choice.preferred);
+  if (choice.apart > 0.0) fields("apart", choice.apart);
 }
 
 // "scene" is an object in files that prehend writes. In files of other programs it may also be a

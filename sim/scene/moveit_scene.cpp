@@ -276,6 +276,12 @@ Scene read_moveit_scene(const JsonFile& file, const SceneSource& source) {
     root["world"].fail("no collision object to grasp");
   }
   require_one_frame(objects);
+  require(source.choice.apart == 0.0,
+          {.file = file.path().string(),
+           .field = "apart",
+           .problem = "a MoveIt scene does not tell objects from what they stand on; name the "
+                      "distance in a scene file",
+           .value = std::to_string(source.choice.apart)});
   Scene scene;
   scene.name = file.path().stem().string();
   ShapeBudget budget;

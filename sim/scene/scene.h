@@ -57,6 +57,7 @@ struct StaticBody {
   ShapeSource source = {};
   double restitution = 0.0;  // 0 to 1: of the velocity of an impact; of a pair, the larger counts
   std::vector<MaterialRegion> surfaces = {};  // of another material, body frame; the last counts
+  double apart = 0.0;  // how far the hand keeps from it [m]; 0: fingers that close may end at it
 };
 
 // How the mass of an object is spread.

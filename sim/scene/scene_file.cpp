@@ -19,6 +19,8 @@
 #include "sim/robot/files/robot_geometry.h"
 #include "sim/robot/hand/derive_hand.h"
 #include "sim/scene/graspit_world.h"
+#include "sim/scene/json_carrier.h"
+#include "sim/scene/json_friction.h"
 #include "sim/scene/json_mass.h"
 #include "sim/scene/json_primitive.h"
 #include "sim/scene/json_region.h"
@@ -49,6 +51,8 @@ namespace prehend {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr Range kApart{.upper = 1.0};  // m
 
 Material read_material(const JsonField& body, Material otherwise) {
   if (!body.has("material")) return otherwise;
@@ -112,15 +116,6 @@ ShapeSource read_source(const JsonField& body) {
   }
   if (body.has("generate")) return GeneratedSource{body["generate"].text(), read_triangles(body)};
   return WrittenShapesSource{body["geometry"].json()};
-}
-
-// A name of the library, or the absolute path of a file: beside the scene if there is one.
-std::string read_robot_source(const JsonField& field) {
-  const std::filesystem::path beside = field.file().parent_path() / field.text();
-  if (is_file(beside)) {
-    return absolute_path(beside);
-  }
-  return robot_source(field.text());
 }
 
 // Whether the object's mesh file is repaired.
@@ -247,7 +242,7 @@ void read_object(const JsonField& field, const SceneSource& source, const NamedM
 
 StaticBody read_obstacle(const JsonField& field, const NamedMaterials& named, ShapeBudget& budget) {
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "pose",
-                    "restitution", "surfaces"});
+                    "restitution", "surfaces", "apart"});
   std::vector<MaterialRegion> surfaces = read_body_surfaces(field, named);
   BodyMesh read = read_body_mesh(field, budget, are_of_parts(surfaces));
   if (field.has("surfaces")) find_surfaces(field["surfaces"], read.parts, read.mesh, surfaces);
@@ -258,135 +253,10 @@ StaticBody read_obstacle(const JsonField& field, const NamedMaterials& named, Sh
                   {}};
   if (field.has("pose")) body.X_WB = read_pose(field["pose"]);
   body.restitution = read_restitution(field);
+  body.apart = field.number_or("apart", 0.0, kApart);
   body.surfaces = std::move(surfaces);
   body.source = read_source(field);
   return body;
-}
-
-// What an entry says of a pair replaces what earlier ones did.
-void read_friction(const JsonField& list, Scene& scene) {
-  for (const JsonField& field : list.items()) {
-    field.allow_only({"between", "static", "kinetic", "deviation"});
-    const std::vector<JsonField> pair = field["between"].items();
-    if (pair.size() != 2) field["between"].fail("must name two materials");
-    const auto material = [](const JsonField& name) {
-      return with_field_errors(name, [&] { return material_named(name.text()); });
-    };
-    const Material a = material(pair[0]);
-    const Material b = material(pair[1]);
-    scene.kinetic_friction.set(a, b, std::nullopt);
-    scene.friction_deviations.set(a, b, std::nullopt);
-    if (field.has("deviation")) {
-      const JsonField deviation = field["deviation"];
-      with_field_errors(deviation,
-                        [&] { scene.friction_deviations.set(a, b, deviation.number()); });
-    }
-    if (field.has("static") || !(field.has("kinetic") || field.has("deviation"))) {
-      const JsonField friction = field["static"];
-      with_field_errors(friction, [&] { scene.friction.set(a, b, friction.number()); });
-    }
-    if (!field.has("kinetic")) continue;
-    const JsonField kinetic = field["kinetic"];
-    with_field_errors(kinetic, [&] { scene.kinetic_friction.set(a, b, kinetic.number()); });
-    if (kinetic.number() > scene.friction.between(a, b)) {
-      kinetic.fail("must be at most the static coefficient of the pair");
-    }
-  }
-}
-
-// Of the object to grasp, with whatever touches it.
-void read_object_friction(const JsonField& root, Scene& scene) {
-  const auto read = [&](const JsonField& object) {
-    if (!object.has("friction")) return;
-    const JsonField field = object["friction"];
-    const double friction = field.number();
-    with_field_errors(field, [&] {
-      set_object_friction(scene, friction);
-      return 0;
-    });
-  };
-  if (root.has("object")) read(root["object"]);
-  if (!root.has("objects")) return;
-  for (const JsonField& object : root["objects"].items()) {
-    if (object["name"].text() == scene.object.name) read(object);
-  }
-}
-
-void read_compliant_depths(const JsonField& object, CompliantDepths& depths) {
-  for (const std::string& name : object.keys()) {
-    const JsonField field = object[name];
-    with_field_errors(field, [&] { depths.set(material_named(name), field.number()); });
-  }
-}
-
-// The degree of freedom called ROBOT/NAME; its place among all of the platform.
-struct NamedDof {
-  DegreeOfFreedom* dof = nullptr;
-  std::size_t index = 0;
-};
-
-NamedDof find_dof(const JsonField& field, const std::string& name, Platform& platform) {
-  std::size_t index = 0;
-  for (MountedRobot& mounted : platform.robots) {
-    for (DegreeOfFreedom& dof : mounted.robot.dofs) {
-      if (mounted.name + "/" + dof.name == name) return {&dof, index};
-      ++index;
-    }
-  }
-  field.fail("no degree of freedom is called " + name + " in " + platform.name);
-}
-
-// Limits of a scene may only be narrower than the robot's own. The initial value moves into them.
-void narrow_limits(const JsonField& limits, Platform& platform) {
-  for (const std::string& name : limits.keys()) {
-    const JsonField field = limits[name];
-    DegreeOfFreedom& dof = *find_dof(field, name, platform).dof;
-    const std::vector<double> range = field.numbers(2);
-    if (range[0] > range[1]) field.fail("the lower limit must be at most the upper one");
-    if (range[0] < dof.lower || range[1] > dof.upper) {
-      field.fail("must be within the robot's own limits " + std::to_string(dof.lower) + " to " +
-                 std::to_string(dof.upper));
-    }
-    dof.lower = range[0];
-    dof.upper = range[1];
-    dof.initial = std::clamp(dof.initial, dof.lower, dof.upper);
-  }
-}
-
-std::vector<double> read_start(const JsonField& robot, Platform& platform) {
-  std::vector<double> start = initial_dofs(platform);
-  if (!robot.has("start")) return start;
-  for (const std::string& name : robot["start"].keys()) {
-    const JsonField field = robot["start"][name];
-    const NamedDof named = find_dof(field, name, platform);
-    start[named.index] = field.number();
-    if (start[named.index] < named.dof->lower || start[named.index] > named.dof->upper) {
-      field.fail("outside the limits " + std::to_string(named.dof->lower) + " to " +
-                 std::to_string(named.dof->upper) + " rad or m");
-    }
-  }
-  return start;
-}
-
-// `hand` replaces the platform's own; empty: as it is.
-Carrier read_carrier(const JsonField& field, const std::string& hand,
-                     const ForeignRobotOptions& foreign) {
-  field.allow_only({"platform", "hand", "pose", "start", "limits", "stands_on"});
-  Carrier carrier = with_field_errors(field["platform"], [&] {
-    return find_carrier(read_robot_source(field["platform"]), foreign);
-  });
-  MountedRobot& mounted = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)];
-  if (!hand.empty()) {
-    const auto find = [&] { return with_hand(find_robot(hand, foreign)); };
-    // The field is to blame only if the hand is the one that it names, not one that the caller
-    // asked for in its place.
-    const bool asked_here = field.has("hand") && hand == read_robot_source(field["hand"]);
-    mounted.robot = asked_here ? with_field_errors(field["hand"], find) : find();
-  }
-  if (field.has("pose")) carrier.X_WB = read_pose(field["pose"]);
-  if (field.has("limits")) narrow_limits(field["limits"], carrier.platform);
-  carrier.start = read_start(field, carrier.platform);
-  return carrier;
 }
 
 // Things that no hand holds are noted, whatever unit was stated.
@@ -415,6 +285,14 @@ const SeenThings& things_of(const JsonField& object, SeenOnce& seen) {
   return *seen;
 }
 
+// Says of the obstacles that are objects as well, `names`, how far the hand keeps from them.
+void keep_apart(const std::vector<std::string>& names, const ObjectChoice& choice, Scene& scene) {
+  require_in(kApart, choice.apart, "apart");
+  for (StaticBody& body : scene.obstacles) {
+    if (std::find(names.begin(), names.end(), body.name) != names.end()) body.apart = choice.apart;
+  }
+}
+
 // The thing that is asked for, or that the field states.
 std::size_t number_of(const JsonField& object, const std::string& asked, const SeenThings& things) {
   if (!asked.empty() || !object.has("number")) return seen_thing(things, asked);
@@ -438,6 +316,7 @@ void read_seen_object(const JsonField& field, const SceneSource& source,
   choose_regions(source.choice, {}, field.file(), scene);
   place_seen(things, number_of(field, source.choice.object, things),
              read_material(field, Material::plastic), whole_mass(field), scene);
+  keep_apart(seen_names(things), source.choice, scene);
   read_mass(field, scene.object);
   scene.object.restitution = read_restitution(field);
   scene.object.surfaces = read_body_surfaces(field, named);
@@ -459,7 +338,7 @@ std::vector<std::string> names_of_objects(const JsonField& root) {
   return names;
 }
 
-// An object that is not the one to grasp: it must not be touched.
+// An object that is not the one to grasp.
 StaticBody in_the_way(const GraspableBody& object) {
   StaticBody body{object.name, object.mesh, object.X_WO, object.material, object.source};
   body.restitution = object.restitution;
@@ -505,6 +384,7 @@ void read_objects(const JsonField& root, const SceneSource& source, const NamedM
     read_object(root["objects"].items()[i], as_it_is, named, budget, other);
     scene.obstacles.push_back(in_the_way(other.object));
   }
+  keep_apart(names, source.choice, scene);
 }
 
 // Regions of links, which are those of the hand that the scene names, not of another in its place.
@@ -585,6 +465,7 @@ Scene seen_scene(const fs::path& file, const SceneSource& source, const SeenThin
     choose_regions(source.choice, {}, file, scene);
     place_seen(things, seen_thing(things, source.choice.object), Material::plastic,
                kDefaultObjectMass, scene);
+    keep_apart(seen_names(things), source.choice, scene);
   } catch (const InputError& error) {
     throw error.in_file(file.string());
   }

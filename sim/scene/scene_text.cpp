@@ -152,6 +152,7 @@ std::string scene_text(const Scene& scene) {
   }
   for (const StaticBody& body : scene.obstacles) {
     json["obstacles"].push_back(body_json(body, body.X_WB));
+    if (body.apart > 0.0) json["obstacles"].back()["apart"] = body.apart;
   }
   if (const Json friction = friction_json(scene); !friction.empty()) {
     json["friction"] = friction;

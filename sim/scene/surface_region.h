@@ -29,6 +29,7 @@ struct ObjectChoice {
   std::string object = {};                   // of several, by name; empty: the first
   std::vector<SurfaceRegion> keep_out = {};  // in addition
   std::vector<SurfaceRegion> preferred = {};
+  double apart = 0.0;  // StaticBody::apart of the other objects [m]
 };
 
 // Whether the part has this name: its whole name, or its beginning or end as words.

@@ -13,6 +13,7 @@
 #include "sim/trial/approach_line.h"
 #include "sim/trial/close_and_score.h"
 #include "sim/trial/close_dynamic.h"
+#include "sim/trial/keep_apart.h"
 #include "sim/trial/resolve_overlap.h"
 #include "sim/trial/settle.h"
 
@@ -95,6 +96,7 @@ class TrialRun {
   void run(Trial& trial) {
     clear(trial);
     try_it(trial);
+    if (trial.outcome == Outcome::stable) keep_apart(trial);
     trial.seconds = seconds_;
   }
 
@@ -113,6 +115,17 @@ class TrialRun {
     } else {
       close_from(reached.travel, trial);
     }
+  }
+
+  // A grasp that holds is dropped where the hand comes too near to what it must keep away from.
+  void keep_apart(Trial& trial) {
+    const HandWay way{motion_, trial.travel, buffers_.start_joints, trial.X_OH, trial.joints};
+    trial.blocked = too_near(scene_, way, buffers_.grasping.collision);
+    if (!trial.blocked) return;
+    trial.outcome = Outcome::approach_blocked;
+    trial.contacts.clear();
+    trial.epsilon = {};
+    trial.preferred = false;
   }
 
   // Moves the whole approach by what takes the hand out of what it overlaps at the start. Returns

@@ -75,5 +75,30 @@ TEST(PlanAnyProgram, AGraspFileSaysWhichObjectAndWhichRegions) {
   EXPECT_EQ(json_of(folder / "judged/grasps.json")["scene"], written["scene"]);
 }
 
+TEST(PlanAnyProgram, TheHandKeepsApartFromOtherObjects) {
+  const std::filesystem::path folder = fresh_folder("plan_apart");
+  std::ofstream(folder / "in.json") << R"({"hand": "parallel_jaw", "objects": [
+    {"name": "left", "geometry": [{"shape": "box", "size": [0.03, 0.04, 0.1]}]},
+    {"name": "right", "geometry": [{"shape": "box", "size": [0.03, 0.04, 0.1]}],
+     "pose": {"position": [0.055, 0, 0]}}]})";
+  const auto planned = [&](const std::string& apart) {
+    const ProgramRun run = run_program("plan " + (folder / "in.json").string() +
+                                       " --object left --no-report --trials 100 --apart " + apart +
+                                       " --out " + (folder / apart).string());
+    EXPECT_EQ(run.status, 0) << run.err;
+    return json_of(folder / apart / "grasps.json");
+  };
+  const json near = planned("0");
+  EXPECT_FALSE(near["scene"].contains("apart"));
+  const json far = planned("0.01");
+  EXPECT_EQ(far["scene"]["apart"], 0.01);
+  EXPECT_LT(far["outcomes"]["stable"], near["outcomes"]["stable"]);
+  EXPECT_EQ(far["blockers"][0]["by"], "right") << far["blockers"];
+  const ProgramRun wrong =
+      run_program("plan " + (folder / "in.json").string() + " --apart 2 --out " + folder.string());
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_NE(wrong.err.find("apart"), std::string::npos) << wrong.err;
+}
+
 }  // namespace
 }  // namespace prehend::test

@@ -241,6 +241,7 @@ def load_scene(
     object: str = "",
     keep_out: Sequence[Region] = (),
     preferred: Sequence[Region] = (),
+    apart: float = 0.0,
 ) -> Scene:
     """Reads a scene.
 
@@ -255,6 +256,8 @@ def load_scene(
         object: which of several objects of a scene file to grasp, by name; "": the first.
         keep_out: parts of the object that no finger may touch, in addition to those of the file.
         preferred: the same of parts of which grasps come first that touch nothing else.
+        apart: how far the hand keeps from the other objects [m]; 0: fingers that close may end at
+            them.
 
     Raises:
         InputError: that names the file, the field and the value.
@@ -268,6 +271,7 @@ def load_scene(
             object,
             json.dumps([as_region(region) for region in keep_out]),
             json.dumps([as_region(region) for region in preferred]),
+            apart,
         )
     )
 
