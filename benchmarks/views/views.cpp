@@ -1,7 +1,7 @@
 // What grasps are worth that were planned from depth images:
 //
 //   views_benchmark FILE... [--hands NAMES] [--angles N] [--only one|three|hull|truth] [--details]
-//                   [--threads N]
+//                   [--threads N] [--voxel METRES]
 //
 // Each mesh (in metres) stands on a table and is seen from N sides (8), by one camera or three. Of
 // each hand (names with commas between them) the best grasp is planned, without an arm, on what is
@@ -30,6 +30,7 @@ struct Words {
   int angles = 8;
   std::string only;
   int threads = 1;
+  ReconstructOptions steps;
   bool details = false;
 
   bool wants(const std::string& what) const { return only.empty() || only == what; }
@@ -59,6 +60,8 @@ Words read(const std::vector<std::string>& words) {
       read.angles = std::stoi(words[++i]);
     } else if (words[i] == "--threads" && more) {
       read.threads = std::stoi(words[++i]);
+    } else if (words[i] == "--voxel" && more) {
+      read.steps.voxel = std::stod(words[++i]);
     } else if (words[i] == "--only" && more) {
       read.only = words[++i];
     } else if (words[i].starts_with("--")) {
@@ -128,7 +131,7 @@ class Benchmark {
     SeenObject seen;
     const benchmark::Clock::time_point start = benchmark::Clock::now();
     try {
-      seen = reconstruct(views, {}, {.threads = words_.threads}).objects.front();
+      seen = reconstruct(views, words_.steps, {.threads = words_.threads}).objects.front();
     } catch (const InputError& error) {
       std::printf("  %s: %s\n", object.name.c_str(), error.what());
     }

@@ -36,6 +36,7 @@ struct HeldShapes {
   bool likely = false;
   std::optional<bool> thin = {};  // none: not tried
   std::optional<bool> thick = {};
+  double unseen = 0.0;  // part of the hand's way that no camera saw to be free: try_shapes
   // How firmly it holds on all of them, and with the hand a little beside: try_shapes.
   double certainty = 0.0;
 

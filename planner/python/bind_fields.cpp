@@ -66,7 +66,7 @@ void bind_fields(py::module_& core) {
   PREHEND_FIELDS(PhaseReport, kind, seconds, moved, turned, sank, rose, touching);
   PREHEND_FIELDS(FirstSlip, link, time);
   PREHEND_FIELDS(ShakeTestReport, name, outcome, failed_at, phases, first_slip, largest_pull);
-  PREHEND_FIELDS(HeldShapes, likely, thin, thick, certainty);
+  PREHEND_FIELDS(HeldShapes, likely, thin, thick, unseen, certainty);
   PREHEND_FIELDS(Tried, candidate, X_OH, approach_O, outcome, collision_of);
   PREHEND_FIELDS(CollisionCount, outcome, link, by, count);
   PREHEND_FIELDS(RuleCount, rule, outcomes);

@@ -305,6 +305,7 @@ void grasp_fields(auto& fields, auto& grasp, const CompiledScene& scene,
     inner("thin", shapes.thin);
     inner("thick", shapes.thick);
     inner.derived("held", [&] { return shapes.held(); });
+    inner("unseen", shapes.unseen);
     inner("certainty", shapes.certainty);
   });
   // A grasp that is read has to be shaken again.

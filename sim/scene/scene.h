@@ -1,6 +1,7 @@
 // A scene: the object to grasp, the hand, what carries it, obstacles, and friction.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -16,6 +17,8 @@
 #include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
+
+class UnseenSpace;  // sim/shape/cloud/unseen_space.h
 
 // A surface from a mesh file.
 struct MeshFileSource {
@@ -74,6 +77,8 @@ struct Completion {
   // The least and the most that it may be, closed, frame O; empty where nothing is known of that.
   TriangleMesh thin = {};
   TriangleMesh thick = {};
+  // Around the object where it was seen, frame W; null where nothing is known of that.
+  std::shared_ptr<const UnseenSpace> unseen = {};
 };
 
 // The body to grasp. Mass, centre of mass and inertia belong together: state_center_of_mass and

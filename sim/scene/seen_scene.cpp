@@ -12,6 +12,7 @@
 #include "sim/base/joined.h"
 #include "sim/scene/collision_body.h"
 #include "sim/shape/basic_shapes.h"
+#include "sim/shape/cloud/unseen_space.h"
 #include "sim/shape/mesh_checks.h"
 
 namespace prehend {
@@ -162,7 +163,8 @@ void add_other(const SeenObject& other, const std::string& name, const Collision
 }  // namespace
 
 SeenThings seen_things(const ViewsInput& input, const RunContext& context) {
-  SeenThings things{reconstruct(input.views, input.steps, context), {}};
+  SeenThings things{reconstruct(input.views, input.steps, context), {}, {}};
+  things.unseen = std::make_shared<const UnseenSpace>(input.views);
   things.bodies.notes.insert(things.bodies.notes.begin(), input.notes.begin(), input.notes.end());
   return things;
 }
@@ -203,8 +205,8 @@ void place_seen(const SeenThings& things, std::size_t at, Material material, dou
   GraspableBody& object = scene.object;
   object = make_graspable(name_of_thing(at), moved(thing.mesh, -middle), material, mass);
   object.X_WO = translation(middle);
-  object.completion =
-      Completion{thing.seen, moved(thing.thin, -middle), moved(thing.thick, -middle)};
+  object.completion = Completion{thing.seen, moved(thing.thin, -middle),
+                                 moved(thing.thick, -middle), things.unseen};
   object.source = std::monostate{};
   if (!things.source.path.empty()) object.source = things.source;
   scene.notes.insert(scene.notes.end(), things.bodies.notes.begin(), things.bodies.notes.end());

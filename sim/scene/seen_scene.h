@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace prehend {
 struct SeenThings {
   Reconstruction bodies;
   ViewsSource source = {};  // no path: made by a program
+  std::shared_ptr<const UnseenSpace> unseen = {};
 };
 
 // Reads and reconstructs (load_views, reconstruct). Throws InputError that names the file.

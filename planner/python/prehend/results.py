@@ -487,8 +487,11 @@ class HeldShapes:
     """The least that it may be; None where that was not tried."""
     thick: Optional[bool]
     """The most."""
+    unseen: float
+    """Part of the hand's way to the grasp, 0 to 1, that lies behind what the cameras saw."""
     certainty: float
-    """How firmly it holds on all of them, and with the hand 3 mm beside: grasps are ranked by it."""
+    """How firmly it holds on all of them, and with the hand 3 mm beside, less for what is unseen:
+    grasps are ranked by it."""
 
 
 @dataclass(frozen=True, eq=False)

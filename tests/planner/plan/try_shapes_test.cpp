@@ -2,11 +2,15 @@
 #include "planner/plan/try_shapes.h"
 
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "planner/plan/plan.h"
+#include "sim/base/index.h"
+#include "sim/shape/cloud/unseen_space.h"
+#include "tests/support/depth_camera.h"
 #include "tests/support/scenes.h"
 
 namespace prehend {
@@ -81,6 +85,29 @@ TEST(TryShapes, AShapeThatOverlapsAnObstacleIsNotTried) {
   ASSERT_FALSE(result.grasps.empty());
   EXPECT_TRUE(result.grasps.front().shapes->thin);
   EXPECT_FALSE(result.grasps.front().shapes->thick);
+}
+
+TEST(TryShapes, AWayThroughUnseenSpaceCosts) {
+  Scene scene = half_seen();
+  const PlanResult known = plan(compile(scene), trials_of_shapes());
+  // A camera that sees a wall through the middle of the object, and nothing behind it.
+  DepthView view{test::camera_at({-1.0, 0.0, 0.0}, Vector3::Zero()), {}};
+  view.depth.assign(index(view.camera.width) * index(view.camera.height), 1.0F);
+  scene.object.completion->unseen = std::make_shared<const UnseenSpace>(std::vector{view});
+  const PlanResult result = plan(compile(scene), trials_of_shapes());
+  int both = 0;
+  for (const ScoredGrasp& grasp : result.grasps) {
+    EXPECT_GT(grasp.shapes->unseen, 0.0);
+    EXPECT_LE(grasp.shapes->unseen, 1.0);
+    for (const ScoredGrasp& same : known.grasps) {
+      if (same.tried != grasp.tried) continue;
+      ++both;
+      EXPECT_EQ(same.shapes->unseen, 0.0);
+      EXPECT_NEAR(grasp.shapes->certainty,
+                  (1.0 - 0.3 * grasp.shapes->unseen) * same.shapes->certainty, 1e-12);
+    }
+  }
+  EXPECT_GT(both, 0);
 }
 
 TEST(TryShapes, TheSameOnAnyNumberOfThreads) {
