@@ -50,7 +50,7 @@ double trial_rate(const Batch& batch, const BatchInputs& inputs, std::size_t par
     const PlanOptions& options = inputs.options_of(part);
     const CompiledScene scene = compile(worker.scene(batch, inputs, part));
     const SearchResult found =
-        search_grasps(scene, object_primitives(scene, options.primitives, options.thin_parts),
+        search_grasps(scene, object_primitives(scene, options.primitives, options.thin_parts).all,
                       options.candidates, options.search, options.trial);
     std::vector<Candidate> candidates;
     for (const ProposedGrasp& grasp : found.proposed) candidates.push_back(grasp.candidate);

@@ -143,7 +143,7 @@ const std::vector<Primitive>& PartWorker::primitives(const CompiledScene& scene,
   const auto known = primitives_->of.find(which);
   if (known != primitives_->of.end()) return known->second;
   return primitives_->of
-      .emplace(which, object_primitives(scene, options.primitives, options.thin_parts, context))
+      .emplace(which, object_primitives(scene, options.primitives, options.thin_parts, context).all)
       .first->second;
 }
 

@@ -4,16 +4,22 @@
 
 namespace prehend {
 
-std::vector<Primitive> object_primitives(const CompiledScene& scene, const DecomposeOptions& solids,
-                                         const ThinPartOptions& thin_parts,
-                                         const RunContext& context) {
-  if (!scene.scene.primitives.empty()) return scene.scene.primitives;
-  std::vector<Primitive> primitives =
-      decompose(scene.scene.object.mesh, solids, context).primitives;
-  for (Primitive& part : find_thin_parts(scene.object().mesh, primitives, thin_parts, context)) {
-    primitives.push_back(std::move(part));
+ObjectPrimitives object_primitives(const Scene& scene, const ProximityMesh& mesh,
+                                   const DecomposeOptions& solids,
+                                   const ThinPartOptions& thin_parts, const RunContext& context) {
+  if (!scene.primitives.empty()) return {scene.primitives};
+  ObjectPrimitives found;
+  found.solids = decompose(scene.object.mesh, solids, context);
+  found.all = found.solids->primitives;
+  for (Primitive& part : find_thin_parts(mesh, found.all, thin_parts, context)) {
+    found.all.push_back(std::move(part));
   }
-  return primitives;
+  return found;
+}
+
+ObjectPrimitives object_primitives(const CompiledScene& scene, const DecomposeOptions& solids,
+                                   const ThinPartOptions& thin_parts, const RunContext& context) {
+  return object_primitives(scene.scene, scene.object().mesh, solids, thin_parts, context);
 }
 
 }  // namespace prehend

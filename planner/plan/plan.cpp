@@ -117,8 +117,8 @@ TimeShares shares(const PlanOptions& options) {
 }
 
 // Throws Cancelled.
-std::vector<Primitive> find_primitives(const CompiledScene& scene, const PlanOptions& options,
-                                       const RunContext& context) {
+ObjectPrimitives find_primitives(const CompiledScene& scene, const PlanOptions& options,
+                                 const RunContext& context) {
   context.cancellation.check();
   if (context.progress) context.progress({Stage::primitives, 0, 1, 0});
   return object_primitives(scene, options.primitives, options.thin_parts, context);
@@ -306,7 +306,9 @@ Attempts find_grasps(const CompiledScene& scene, const PlanOptions& options,
   Attempts attempts;
   try {
     const bool given = !scene.scene.primitives.empty();
-    result.primitives = find_primitives(scene, options, context);
+    ObjectPrimitives found = find_primitives(scene, options, context);
+    result.primitives = std::move(found.all);
+    result.solids = std::move(found.solids);
     add_count(given ? PlanCount::primitives_given : PlanCount::primitives, result.primitives.size(),
               result);
     watch.lap(Stage::primitives);

@@ -9,6 +9,7 @@
 
 #include "planner/plan/advice.h"
 #include "planner/plan/path/lift_object.h"
+#include "primitives/decompose.h"
 #include "sim/base/named_enum.h"
 #include "sim/base/run_context.h"
 #include "sim/manipulation/shake_report.h"
@@ -148,6 +149,9 @@ struct PlanResult {
   double smallest_width = 0.0;
   double largest_opening = 0.0;
   std::vector<Primitive> primitives;
+  // Of plan(): how far the object's surface is from its solids, which stand first in `primitives`.
+  // None where the scene states the primitives, or they were read from a file.
+  std::optional<Decomposition> solids = {};
   std::vector<ScoredGrasp> grasps;       // plan: best first; evaluate: in the given order
   std::vector<Tried> tried;              // finished trials, in the order of candidates
   EnumArray<Outcome, int> outcomes;      // number of trials with each Outcome

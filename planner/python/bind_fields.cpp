@@ -73,8 +73,8 @@ void bind_fields(py::module_& core) {
   PREHEND_FIELDS(StageCount, what, count);
   PREHEND_FIELDS(Advice, hint, words);
   PREHEND_FIELDS(PlanResult, status, untested, families, families_untested, smallest_width,
-                 largest_opening, primitives, grasps, tried, outcomes, blockers, rules, advice,
-                 stages, times, trial_seconds);
+                 largest_opening, primitives, solids, grasps, tried, outcomes, blockers, rules,
+                 advice, stages, times, trial_seconds);
   PREHEND_FIELDS(TrajectorySegment, name, first, last);
   PREHEND_FIELDS(Trajectory, joints, times, positions, velocities, segments);
   PREHEND_FIELDS(ContactForces, outcome, components, forces, largest_normal, sum_of_normals,

@@ -155,10 +155,6 @@ py::dict run_trial_in_python(const CompiledHandle& scene, const py::dict& fields
   return trial_dict({scene.scene, grasp}, {});
 }
 
-py::tuple distances_tuple(const SurfaceDistances& distances) {
-  return py::make_tuple(distances.median, distances.percentile_95, distances.largest);
-}
-
 py::dict decompose_in_python(const Doubles& vertices, const Integers& faces,
                              const DecomposeOptions& asked, const CallOptions& call) {
   const DecomposeOptions options = asked;
@@ -166,20 +162,7 @@ py::dict decompose_in_python(const Doubles& vertices, const Integers& faces,
   Decomposition found;
   run_in_background(call,
                     [&](const RunContext& context) { found = decompose(mesh, options, context); });
-  py::list primitives;
-  for (const Primitive& primitive : found.primitives) primitives.append(primitive_dict(primitive));
-  py::dict fields;
-  fields["primitives"] = primitives;
-  fields["share"] = to_array(found.share);
-  fields["explained"] = found.explained;
-  fields["tolerance"] = found.tolerance;
-  fields["distances"] = distances_tuple(found.distances);
-  py::list distances_of;
-  for (const SurfaceDistances& distances : found.distances_of) {
-    distances_of.append(distances_tuple(distances));
-  }
-  fields["distances_of"] = distances_of;
-  return fields;
+  return decomposition_dict(found);
 }
 
 py::dict propose_in_python(const CompiledHandle& scene, const py::list& list, std::size_t count,

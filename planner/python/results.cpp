@@ -205,6 +205,27 @@ py::list rules(const PlanResult& result) {
   return list;
 }
 
+py::tuple distances_tuple(const SurfaceDistances& distances) {
+  return py::make_tuple(distances.median, distances.percentile_95, distances.largest);
+}
+
+py::dict decomposition_dict(const Decomposition& found) {
+  py::list primitives;
+  for (const Primitive& primitive : found.primitives) primitives.append(primitive_dict(primitive));
+  py::dict fields;
+  fields["primitives"] = primitives;
+  fields["share"] = to_array(found.share);
+  fields["explained"] = found.explained;
+  fields["tolerance"] = found.tolerance;
+  fields["distances"] = distances_tuple(found.distances);
+  py::list distances_of;
+  for (const SurfaceDistances& distances : found.distances_of) {
+    distances_of.append(distances_tuple(distances));
+  }
+  fields["distances_of"] = distances_of;
+  return fields;
+}
+
 py::dict result_dict(const PlanHandle& plan) {
   const PlanResult& result = *plan.result;
   py::dict outcomes;
@@ -234,6 +255,8 @@ py::dict result_dict(const PlanHandle& plan) {
   fields["stages"] = named_counts(result);
   fields["seconds"] = times;
   fields["primitives"] = primitives;
+  fields["solids"] = py::none();
+  if (result.solids) fields["solids"] = decomposition_dict(*result.solids);
   fields["tried"] = tried_dict(result.tried);
   fields["count"] = result.grasps.size();
   return fields;

@@ -28,6 +28,7 @@ pybind11::dict trial_dict(const TrialHandle& handle, const std::vector<Primitive
 pybind11::dict grasp_dict(const PlanHandle& plan, std::size_t grasp);
 pybind11::dict result_dict(const PlanHandle& plan);  // all but the grasps
 pybind11::dict primitive_dict(const Primitive& primitive);
+pybind11::dict decomposition_dict(const Decomposition& found);
 pybind11::dict path_dict(const Trajectory& path, LiftEnd lift);
 pybind11::dict candidate_dict(const CompiledScene& scene, const Candidate& candidate);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "planner/show/picture/color.h"
@@ -53,10 +54,17 @@ inline constexpr Color kCenterOfMass = from_hex(0x111111);
 inline constexpr std::array<Color, 3> kAxes = {from_hex(0xc62828), from_hex(0x2e7d32),
                                                from_hex(0x1f4fb0)};  // x, y, z of a frame
 
-// Where the tips of a robot get, one colour a tip.
+// Where the tips of a robot get, one colour a tip; also of solids (of_solid).
 inline constexpr std::array<Color, 5> kTips = {from_hex(0xc62828), from_hex(0x1f4fb0),
                                                from_hex(0x2e7d32), from_hex(0xe8952b),
                                                from_hex(0x803fbf)};
+
+// Solids that describe an object together, one colour each.
+constexpr Color of_solid(std::size_t k) {
+  Color color = kTips[k % kTips.size()];
+  color.opacity = 0.35;
+  return color;
+}
 
 // The space of wrenches.
 inline constexpr Color kWrenchSpace = from_hex(0x6f8fb8, 0.30);

@@ -28,8 +28,6 @@ TriangleMesh surface_of(const Cone& cone) {
 TriangleMesh surface_of(const Rim&) { return {}; }
 TriangleMesh surface_of(const Bar&) { return {}; }
 
-Color color_of(std::size_t k) { return palette::kTips[k % palette::kTips.size()]; }
-
 std::string distances_text(const SurfaceDistances& distances) {
   return formatted("median %.2f, 95 %% %.2f mm", 1e3 * distances.median,
                    1e3 * distances.percentile_95);
@@ -48,7 +46,7 @@ void write_distances(Image& image, const Decomposition& parts) {
     label(image, kFromEdge, y,
           formatted("%s, %.0f %%: ", name.c_str(), 100.0 * parts.share[k]) +
               distances_text(parts.distances_of[k]),
-          color_of(k), kScale);
+          palette::kTips[k % palette::kTips.size()], kScale);
   }
 }
 
@@ -57,15 +55,12 @@ void write_distances(Image& image, const Decomposition& parts) {
 Image primitives_picture(const TriangleMesh& mesh, const Decomposition& parts,
                          const PictureSize& size, const RunContext& context) {
   constexpr Color kSurface{0.80, 0.78, 0.70, 1.0};
-  constexpr double kOpacity = 0.35;
   std::vector<DrawnBody> bodies = {{SharedMesh::borrowed(mesh), Pose::Identity(), kSurface, ""}};
   for (std::size_t k = 0; k < parts.primitives.size(); ++k) {
     const Primitive& primitive = parts.primitives[k];
-    Color color = color_of(k);
-    color.opacity = kOpacity;
     bodies.push_back(
         {std::visit([](const auto& shape) { return surface_of(shape); }, primitive.shape),
-         primitive.X_OP, color, ""});
+         primitive.X_OP, palette::of_solid(k), ""});
   }
   const DrawOptions half{.width = size.width / 2, .height = size.height};
   std::vector<Image> views;

@@ -272,6 +272,14 @@ class Decompositions(unittest.TestCase):
             self.assertLessEqual(distances.median, distances.percentile_95)
             self.assertLessEqual(distances.percentile_95, distances.largest)
 
+    def test_a_plan_has_that_of_its_object(self):
+        result = prehend.plan(prehend.load_scene("mug"), few())
+        found = result.solids
+        self.assertLess(len(found.primitives), len(result.primitives))  # a mug has a rim
+        for one, solid in zip(result.primitives, found.primitives):
+            self.assertEqual(one.shape, solid.shape)
+        self.assertIsNone(prehend.evaluate(prehend.load_scene("mug"), []).solids)
+
 
 if __name__ == "__main__":
     unittest.main()

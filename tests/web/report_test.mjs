@@ -61,6 +61,11 @@ test('the best grasp is there at once, with its contacts and its weakest disturb
   const summary = await report.text('#summary');
   assert.match(summary, /Grasp 1 is best: ε 0\.2\d+ \(/);
   assert.ok(summary.includes(`(${tried} candidates tried)`), summary);
+  const origin = await report.text('#numbers tr:has(th:text-is("comes from"))');
+  assert.match(origin, /half of the surface there within [\d.]+ mm, 95 % within [\d.]+ mm of it/);
+  const layer = report.page.locator('#toggles label:has([data-layer="primitive"])');
+  assert.match(await layer.getAttribute('title'), /^[a-z]+ \d+ \(.*\): half of the surface there/);
+  assert.match(await report.text('#legend'), /95 % within [\d.]+ mm of the nearest/);
   assert.match(await report.text('.weakest'), /(push of .* N|twist of .* N m).* breaks it/);
   assert.equal(await report.page.locator('#list a').count(), grasps.length);
   const legend = await report.text('#legend');

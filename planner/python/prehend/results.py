@@ -21,7 +21,7 @@ from ._core import (
     Stage,
 )
 from ._names import show_in
-from ._steps import Candidate, Path, Primitive
+from ._steps import Candidate, Decomposition, Path, Primitive
 
 __all__ = [
     "Advice",
@@ -655,6 +655,10 @@ class PlanResult:
         """How long each stage took [s]."""
         self.primitives: List[Primitive] = [Primitive(**one) for one in fields["primitives"]]
         """The object's, which Grasp.primitive counts."""
+        solids = fields["solids"]
+        self.solids: Optional[Decomposition] = Decomposition._of(solids) if solids else None
+        """Of plan(): the first of `primitives`, and how far the surface is from them. None where the
+        scene states the primitives."""
         self.tried: Tried = Tried._of(fields["tried"])
         """All candidates."""
 

@@ -22,6 +22,10 @@ Json look_json(const Color& color) { return {{"color", hex(color)}, {"opacity", 
 Json palette_json() {
   Json axes = Json::array();
   for (const Color& axis : palette::kAxes) axes.push_back(hex(axis));
+  Json solids = Json::array();
+  for (std::size_t k = 0; k < palette::kTips.size(); ++k) {
+    solids.push_back(look_json(palette::of_solid(k)));
+  }
   Json outcomes = Json::object();
   for (const Outcome outcome : kAll<Outcome>) {
     outcomes[std::string(name_of(outcome))] = hex(palette::of(outcome));
@@ -32,6 +36,7 @@ Json palette_json() {
           {"arm", look_json(palette::kArm)},
           {"obstacle", look_json(palette::kObstacle)},
           {"primitive", look_json(palette::kPrimitive)},
+          {"solids", solids},
           {"contact", look_json(palette::kContact)},
           {"weakest", look_json(palette::kWeakest)},
           {"pointed_at", look_json(palette::kPointedAt)},

@@ -143,6 +143,7 @@ Report plan_report(const CompiledScene& scene, const PlanResult& result, const R
   report.scene = &scene;
   report.frame = scene.wrench_frame;
   report.primitives = result.primitives;
+  report.solids = result.solids;
   report.grasps_in_all = result.grasps.size();
   report.grasps.resize(std::min(result.grasps.size(), kMostGrasps));
   const ViewpointSearch search(scene);

@@ -9,6 +9,7 @@
 
 #include "planner/plan/path/grasp_motion.h"
 #include "planner/show/report/grasp_detail.h"
+#include "primitives/decompose.h"
 #include "sim/manipulation/shake_report.h"
 #include "sim/quality/epsilon.h"
 #include "sim/quality/interval.h"
@@ -88,6 +89,7 @@ struct Report {
   // Words for what the wrench space limits to one: the sum of all normal forces, or each of them.
   std::string unit_force = "normal forces that add up to";
   std::vector<Primitive> primitives = {};
+  std::optional<Decomposition> solids = {};  // the first of them (PlanResult::solids)
   std::vector<ReportGrasp> grasps = {};
   std::size_t grasps_in_all = 0;  // including those that the report leaves out
   std::vector<ReportOutcome> outcomes = {};

@@ -63,6 +63,23 @@ Json shape_json(const Primitive& primitive) {
   return json;
 }
 
+Json distances_json(const SurfaceDistances& distances) {
+  return {{"median", significant(distances.median)},
+          {"percentile_95", significant(distances.percentile_95)}};
+}
+
+// `distances`: of the surface that is nearest to it; null where nobody has measured them.
+Json primitives_json(const Report& report) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < report.primitives.size(); ++k) {
+    Json json = shape_json(report.primitives[k]);
+    const bool measured = report.solids && k < report.solids->distances_of.size();
+    json["distances"] = measured ? distances_json(report.solids->distances_of[k]) : Json();
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 Json scene_json(const CompiledScene& scene) {
   const GraspableBody& object = scene.scene.object;
   Json json;
@@ -247,8 +264,8 @@ std::string report_json(const Report& report) {
                    {"radius", significant(1.0 / report.frame.torque_scale)}};
   json["unit_force"] = report.unit_force;
   json["scene"] = report.scene != nullptr ? scene_json(*report.scene) : Json();
-  json["primitives"] = Json::array();
-  for (const Primitive& p : report.primitives) json["primitives"].push_back(shape_json(p));
+  json["primitives"] = primitives_json(report);
+  json["distances"] = report.solids ? distances_json(report.solids->distances) : Json();
   json["grasps"] = Json::array();
   const std::size_t most_frames = std::clamp(
       kAllFrames / std::max<std::size_t>(1, report.grasps.size()), kLeastFrames, kMostFrames);

@@ -152,6 +152,7 @@ TEST(Plan, GivenPrimitivesAreUsed) {
   const PlanResult result =
       plan(compile(std::move(scene)), few_candidates(), RunContext{.threads = 2});
   ASSERT_EQ(result.primitives.size(), 1U);
+  EXPECT_FALSE(result.solids);
   EXPECT_EQ(result.stages.front().what, PlanCount::primitives_given);
   EXPECT_EQ(name_of(result.stages.front().what), "primitives given");
 }

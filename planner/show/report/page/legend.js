@@ -19,7 +19,10 @@ function legendRows() {
       rows.push([[looks.obstacle.color], 'obstacles', 'what stands in the way']);
     rows.push([
       [looks.primitive.color], 'primitive',
-      'the box, sphere or cylinder that the grasp was made from'
+      'the box, sphere or cylinder that the grasp was made from' +
+          (data.distances ?
+               `; ${distanceWords(data.distances, 'the whole surface')} of the nearest` :
+               '')
     ]);
   }
   rows.push(

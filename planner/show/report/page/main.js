@@ -140,9 +140,16 @@ class Page {
     showContacts(grasp, (contact) => this.light(contact));
     if (!this.view) return;
     this.view.show(grasp);
+    this.tellPrimitive(grasp);
     this.playback.reset();
     this.view.look(this.view.moved ? this.view.direction() : this.view.telling());
     this.showWrenches(grasp);
+  }
+
+  tellPrimitive(grasp) {
+    const box = byId('toggles').querySelector('[data-layer="primitive"]');
+    const words = primitiveWords(grasp);
+    if (box) box.parentElement.title = words ? `${grasp.origin}: ${words}` : grasp.origin;
   }
 
   selectNone() {

@@ -101,6 +101,12 @@ function robustnessRows(
   ];
 }
 
+// How far the surface is from the primitive that a grasp was made for; empty where it is not known.
+function primitiveWords({primitive}) {
+  const {distances} = data.primitives[primitive] || {};
+  return distances ? `${distanceWords(distances, 'the surface there')} of it` : '';
+}
+
 function numberRows(grasp) {
   const rows = [[
     'quality ε', bracketText(grasp.epsilon),
@@ -121,7 +127,7 @@ function numberRows(grasp) {
     rows.push(['holds then', percentText(robust.force_closure), 'of such samples']);
   }
   rows.push(['contacts', String(grasp.contacts.length), '']);
-  if (grasp.origin) rows.push(['comes from', grasp.origin, '']);
+  if (grasp.origin) rows.push(['comes from', grasp.origin, primitiveWords(grasp)]);
   if (grasp.preshape) rows.push(['preshape', grasp.preshape, 'of the hand as it comes']);
   return rows;
 }

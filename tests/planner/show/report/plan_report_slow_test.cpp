@@ -102,6 +102,28 @@ TEST(PlanReport, IsTheSameOnOneAndTwoThreads) {
   }
 }
 
+TEST(PlanReport, SaysHowFarTheSurfaceIsFromItsPrimitives) {
+  const CompiledScene scene = test::compiled_library_scene("mug");
+  PlanResult result = planned(scene);
+  ASSERT_TRUE(result.solids);
+  const std::size_t solids = result.solids->primitives.size();
+  ASSERT_LT(solids, result.primitives.size());
+  const nlohmann::json data = data_of(plan_report(scene, result, {}, kBrief));
+  ASSERT_EQ(data["primitives"].size(), result.primitives.size());
+  EXPECT_NEAR(data["distances"]["median"], result.solids->distances.median, 1e-8);
+  for (std::size_t k = 0; k < solids; ++k) {
+    const nlohmann::json& told = data["primitives"][k]["distances"];
+    EXPECT_NEAR(told["median"], result.solids->distances_of[k].median, 1e-8);
+    EXPECT_NEAR(told["percentile_95"], result.solids->distances_of[k].percentile_95, 1e-8);
+  }
+  // Rims and bars are not measured, nor is what a scene states.
+  EXPECT_TRUE(data["primitives"].back()["distances"].is_null());
+  result.solids.reset();
+  const nlohmann::json stated = data_of(plan_report(scene, result, {}, kBrief));
+  EXPECT_TRUE(stated["distances"].is_null());
+  EXPECT_TRUE(stated["primitives"][0]["distances"].is_null());
+}
+
 TEST(PlanReport, WithoutAGraspTheCandidatesAreThere) {
   const auto wall = [](const Vector3& size, const Vector3& at) {
     return test::obstacle(make_box(size), at);

@@ -218,7 +218,12 @@ TEST(ReportJson, ColoursAndOpacitiesAreThoseOfPictures) {
     ASSERT_TRUE(found["outcomes"].contains(name)) << name;
     expect_color(found["outcomes"][name], palette::of(outcome), name);
   }
-  EXPECT_EQ(found.size(), kLooks.size() + 2);
+  ASSERT_EQ(found["solids"].size(), palette::kTips.size());
+  for (std::size_t k = 0; k < palette::kTips.size(); ++k) {
+    expect_color(found["solids"][k]["color"], palette::of_solid(k), "solid");
+    EXPECT_EQ(found["solids"][k]["opacity"], palette::of_solid(k).opacity);
+  }
+  EXPECT_EQ(found.size(), kLooks.size() + 3);
 }
 
 // The page takes them from there: it says no colour of the palette and no opacity itself.

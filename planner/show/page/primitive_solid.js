@@ -1,4 +1,15 @@
-// The primitives that grasps were made of.
+// The primitives that an object is taken for, drawn and in words.
+
+// A distance in mm, to a hundredth of one.
+function millimetres(distance) {
+  return String(Number((1000 * distance).toFixed(2)));
+}
+
+// How far the surface is from what describes it; `which`: that surface.
+function distanceWords({median, percentile_95}, which) {
+  return `half of ${which} within ${millimetres(median)} mm, 95 % within ${
+      millimetres(percentile_95)} mm`;
+}
 
 // A rim or a bar: its curve as a tube, as wide as it is.
 function tubeGeometry(curve) {
@@ -7,7 +18,7 @@ function tubeGeometry(curve) {
   return new THREE.TubeBufferGeometry(line, 4 * points.length, 0.5 * curve.width, 12, curve.closed);
 }
 
-function primitiveSolid(primitive) {
+function primitiveSolid(primitive, look = data.palette.primitive) {
   let geometry;
   if (primitive.shape === 'box') {
     geometry = new THREE.BoxBufferGeometry(...primitive.size);
@@ -21,9 +32,8 @@ function primitiveSolid(primitive) {
     geometry = new THREE.CylinderBufferGeometry(high, low, primitive.height, 40);
     geometry.rotateX(Math.PI / 2);
   }
-  const group = solid(geometry, data.palette.primitive);
-  if (primitive.shape !== 'sphere' && !primitive.points)
-    outlined(geometry, group, data.palette.primitive);
+  const group = solid(geometry, look);
+  if (primitive.shape !== 'sphere' && !primitive.points) outlined(geometry, group, look);
   group.applyMatrix(matrixOf(primitive.X));
   return group;
 }
