@@ -9,10 +9,10 @@ namespace {
 
 // Fields that may be null: nothing is there. Everywhere else null is what a number that is not
 // finite becomes in JSON.
-constexpr std::array<std::string_view, 23> kMayBeNull = {
-    "problem", "object", "platform", "arm",     "outcome", "time",    "link", "by",
-    "blocked", "limit",  "status",   "path",    "volume",  "id",      "axis", "before",
-    "after",   "drive",  "results",  "surface", "planned", "touches", "fixed"};
+constexpr std::array<std::string_view, 25> kMayBeNull = {
+    "problem", "object",  "platform", "arm",     "outcome", "time",  "link",     "by",    "blocked",
+    "limit",   "status",  "path",     "volume",  "id",      "axis",  "before",   "after", "drive",
+    "results", "surface", "planned",  "touches", "fixed",   "share", "distances"};
 
 // Where a null stands that should be a number; empty: nowhere.
 std::string null_in(const Json& json, const std::string& place) {

@@ -196,8 +196,9 @@ bool is_vain(const Command& command, const Json& state) {
 
 // More than some milliseconds.
 bool takes_long(const Command& command) {
-  constexpr std::array<std::string_view, 7> kLong{
-      "hello", "quality", "scene.text", "plan.start", "path.plan", "grasp.refine", "plan.export"};
+  constexpr std::array<std::string_view, 8> kLong{"hello",        "quality",    "primitives",
+                                                  "scene.text",   "plan.start", "path.plan",
+                                                  "grasp.refine", "plan.export"};
   return command.kind == CommandKind::world ||
          std::find(kLong.begin(), kLong.end(), command.name) != kLong.end();
 }

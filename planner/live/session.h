@@ -21,6 +21,7 @@
 #include "planner/live/open_folders.h"
 #include "planner/live/plan_job.h"
 #include "planner/live/scene_edits.h"
+#include "planner/plan/object_primitives.h"
 #include "sim/base/named_enum.h"
 
 namespace prehend {
@@ -176,6 +177,10 @@ class Session {
   ContactForces forces(const Vector3& force_O, const Vector3& torque_O, bool joint_limits) const;
   // Of the hand and, where it holds the hand, of the arm.
   std::vector<Overlap> collisions() const;
+  // Those of the object from which a plan makes its grasps, unless it has another seed. They are
+  // looked for when the surface is another one than at the last call; the reference holds until the
+  // next. Throws InputError of the field "scene" without an object.
+  const ObjectPrimitives& primitives();
 
   // --- Plans and paths. One at a time, either of them.
   void start_plan(const PlanOptions& options, const PlanListener& listener = {});
@@ -268,6 +273,11 @@ class Session {
     MovingWorld now;
   };
 
+  struct FoundPrimitives {
+    std::string surface;  // SurfaceIds::object; empty: of a scene that states its primitives
+    ObjectPrimitives primitives;
+  };
+
   SessionOptions options_;
   SessionState state_;
   std::vector<KeptState> undo_;
@@ -275,9 +285,10 @@ class Session {
   std::optional<Dragged> dragged_;  // by the last change
   std::uint64_t revision_ = 0;
   std::unique_ptr<PlanJob> job_;
-  std::unique_ptr<PlannedPath> path_;  // of the last search, from its start on
-  std::unique_ptr<PathJob> path_job_;  // that is to give its playback
-  std::unique_ptr<Time> time_;         // null: nothing moves
+  std::unique_ptr<PlannedPath> path_;                // of the last search, from its start on
+  std::unique_ptr<PathJob> path_job_;                // that is to give its playback
+  std::unique_ptr<Time> time_;                       // null: nothing moves
+  std::optional<FoundPrimitives> found_primitives_;  // by the last call of primitives()
 };
 
 }  // namespace prehend

@@ -40,9 +40,9 @@ void check_field(const JsonField& field, const CommandField& declared) {
 const std::vector<Command>& commands() {
   static const std::vector<Command> known = [] {
     std::vector<Command> all;
-    for (auto part :
-         {scene_commands(), move_commands(), hand_commands(), judging_commands(), grasp_commands(),
-          path_commands(), plan_commands(), view_commands(), time_commands()}) {
+    for (auto part : {scene_commands(), move_commands(), hand_commands(), judging_commands(),
+                      grasp_commands(), path_commands(), plan_commands(), primitive_commands(),
+                      view_commands(), time_commands()}) {
       std::move(part.begin(), part.end(), std::back_inserter(all));
     }
     return all;

@@ -77,6 +77,7 @@ std::vector<Command> scene_commands();
 std::vector<Command> hand_commands();
 std::vector<Command> judging_commands();
 std::vector<Command> plan_commands();
+std::vector<Command> primitive_commands();
 std::vector<Command> view_commands();
 std::vector<Command> time_commands();
 std::vector<Command> move_commands();

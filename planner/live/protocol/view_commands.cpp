@@ -60,16 +60,16 @@ std::vector<Command> view_commands() {
   return {
       {"view.surface",
        CommandKind::query,
-       "The surface of the object or an obstacle, to be drawn. States name the surfaces of bodies; "
-       "bodies of equal names have the same.",
+       "The surface of the object or an obstacle, to be drawn. States name them; equal ones have "
+       "one name.",
        {{"surface", FieldType::text, true, "its name in the state"}},
        "`surface`, and `mesh`: `positions`, base64 of little-endian float32, three a vertex [m, "
-       "frame of the body], and `indices`, base64 of uint32, three a triangle; `simplified_from` "
-       "tells how many triangles there were, if not all are there",
+       "frame of the body], and `indices`, base64 of uint32, three a triangle; `simplified_from`: "
+       "how many triangles there were, if not all are there",
        view_surface},
       {"view.robots",
        CommandKind::query,
-       "The hand, and the platform that carries it, to be drawn and moved.",
+       "The hand and its platform, to be drawn and moved.",
        {},
        "`robots`, their name in the state, `hand` and `arm` (null without a platform): `joints`, "
        "each "

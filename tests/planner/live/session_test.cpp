@@ -46,6 +46,20 @@ double smallest_gap(const Session& session) {
 // Contacts are within 0.1 mm.
 constexpr double kContact = 1e-4;
 
+TEST(Session, PrimitivesAreLookedForWhereTheSurfaceIsAnotherOne) {
+  Session session = ball_session();
+  const Primitive* first = session.primitives().all.data();
+  EXPECT_EQ(session.primitives().all.data(), first);
+  session.set_switches({.stop_at_contact = false});
+  session.move_object(translation({0.1, 0.2, 0.3}));
+  EXPECT_EQ(session.primitives().all.data(), first);
+  EXPECT_EQ(shape_name(first->shape), "sphere");
+  session.edit([](Scene& scene) {
+    set_object(scene, surface_of({.generate = "box", .triangles = 12}, {}), {.name = "box"});
+  });
+  EXPECT_EQ(shape_name(session.primitives().all.front().shape), "box");
+}
+
 TEST(Session, DraggedHandsStopAtTheObjectFromAllSides) {
   Session session = ball_session();
   Random random(3);
