@@ -32,6 +32,7 @@ class Studio {
     this.grasp = new GraspPanel(this.stage, this.live);
     this.bar = new StateBar(this.live);
     this.axes = new AxesGizmo(byId('axes'), this.stage);
+    this.primitives = new PrimitivesPanel(this.stage, this.live);
     this.plan = new PlanPanel(this.stage, this.live);
     this.arm = new ArmPanel(this.live);
     this.path = new PathPanel(this.stage, this.live);

@@ -26,10 +26,13 @@ class Stage extends CameraView {
     this.arm = null;
     this.robots = '';
     this.opacities = {object: 1, obstacle: 1};
-    this.blocked = new Set();        // names of links and bodies that overlap something
-    this.marks = new THREE.Group();  // in the frame of the object
-    this.free = new THREE.Group();   // in the world
-    this.scene.add(this.marks, this.free);
+    this.blocked = new Set();  // names of links and bodies that overlap something
+    this.objectFrame = new THREE.Group();
+    this.marks = new THREE.Group();   // in the frame of the object
+    this.solids = new THREE.Group();  // its primitives, in the same frame
+    this.objectFrame.add(this.marks, this.solids);
+    this.free = new THREE.Group();  // in the world
+    this.scene.add(this.objectFrame, this.free);
     this.sync = new Coalescer((state) => this.follow(state));
     this.looked = '';    // the surface of the object that the camera was turned to; '': look anew
     this.replaced = [];  // called when other robots have come in place of the old ones
@@ -228,7 +231,7 @@ class Stage extends CameraView {
     } else {
       X_WO.identity();
     }
-    X_WO.decompose(this.marks.position, this.marks.quaternion, this.marks.scale);
+    this.setPose({group: this.objectFrame}, X_WO);
     for (const {name, X_world_body} of state.obstacles) {
       this.setPose(this.bodies.get(`obstacle ${name}`), matrixOfPose(X_world_body));
     }
@@ -274,8 +277,16 @@ class Stage extends CameraView {
       this.arm.setJoints(joints);
     }
     this.setPose(this.bodies.get('object'), object);
-    object.decompose(this.marks.position, this.marks.quaternion, this.marks.scale);
+    this.setPose({group: this.objectFrame}, object);
     this.requestAll();
+  }
+
+  // Shows these in place of those that were shown before.
+  showSolids(solids) {
+    dispose(this.solids);
+    this.solids.remove(...this.solids.children);
+    if (solids.length > 0) this.solids.add(...solids);
+    this.requestDraw();
   }
 
   // What does not reach its place is seen through.
