@@ -11,6 +11,7 @@
 
 #include "planner/show/palette.h"
 #include "planner/show/report/report_json.h"
+#include "sim/quality/wrench_space.h"
 #include "sim/shape/object_generator.h"
 #include "tests/planner/show/report/page_data.h"
 #include "tests/planner/show/report/unpack.h"
