@@ -15,6 +15,7 @@
 #include "planner/show/robot_picture.h"
 #include "primitives/decompose.h"
 #include "primitives/thin_parts.h"
+#include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
@@ -334,12 +335,36 @@ Scene graspit_scene(const std::filesystem::path& file, const InspectCommand& com
   return scene;
 }
 
+// With its colours. Where these alone cannot be read, `refused` is the reason.
+LoadedMesh load_with_colors(const std::filesystem::path& file, const std::string& unit,
+                            std::string& refused) {
+  const double metres = metres_per_unit(unit);
+  try {
+    return load_mesh(file, {.metres_per_unit = metres, .colors = true});
+  } catch (const InputError& error) {
+    refused =
+        InputError({.field = error.field(), .problem = error.problem(), .value = error.value()})
+            .what();
+    return load_mesh(file, {.metres_per_unit = metres});
+  }
+}
+
+void print_colors(const ColoredMesh& mesh, const std::string& refused) {
+  if (!refused.empty()) std::printf("  colours cannot be read: %s\n", refused.c_str());
+  if (mesh.empty()) return;
+  const auto text = [](const ColorShare& one) {
+    return color_text(one.color) + formatted(" %.0f %%", 100.0 * one.share);
+  };
+  std::printf("  colours %s\n", joined(frequent_colors(mesh), ", ", text).c_str());
+}
+
 void inspect_mesh_file(const std::filesystem::path& file, const InspectCommand& command,
                        Interrupts& interrupts) {
   need_no_picture(command);
   std::string unit = command.unit;
   if (unit.empty()) unit = noted_unit(file);
-  LoadedMesh loaded = load_mesh(file, {.metres_per_unit = metres_per_unit(unit)});
+  std::string refused;
+  LoadedMesh loaded = load_with_colors(file, unit, refused);
   std::printf("mesh %s\n", file.string().c_str());
   if (unit != "m") std::printf("  read in %s\n", unit.c_str());
   if (command.repair) {
@@ -353,6 +378,7 @@ void inspect_mesh_file(const std::filesystem::path& file, const InspectCommand& 
     std::printf("  left out: %d triangles without area, %d duplicates\n", loaded.degenerate_removed,
                 loaded.duplicates_removed);
   }
+  print_colors(loaded.colors, refused);
   print_primitives(loaded.mesh, command, interrupts);
 }
 

@@ -2,12 +2,15 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "planner/main/option_values.h"
 #include "sim/base/input_error.h"
 #include "sim/base/joined.h"
 #include "sim/base/range.h"
+#include "sim/scene/color_region.h"
+#include "sim/shape/files/text_scan.h"
 
 namespace prehend {
 
@@ -94,8 +97,9 @@ void add_mesh_options(CLI::App& command, std::string& unit, bool& repair) {
 void add_choice(CLI::App& command, ChoiceWords& words) {
   command.add_option("--object", words.object, "which of the scene's objects to grasp, by name");
   command.add_option("--keep-out", words.keep_out,
-                     "part of the object that no finger may touch: its name in the mesh file, or "
-                     "two corners of a box, x,y,z:x,y,z in mm; may be repeated");
+                     "part of the object that no finger may touch: its name in the mesh file, its "
+                     "colour there (#cc3311, or #cc3311/0.1 for nearer ones alone), or two corners "
+                     "of a box, x,y,z:x,y,z in mm; may be repeated");
   command.add_option("--prefer", words.preferred,
                      "the same of parts: grasps that touch nothing else come first");
   command
@@ -107,7 +111,22 @@ void add_choice(CLI::App& command, ChoiceWords& words) {
 
 namespace {
 
+// #rrggbb, or #rrggbb/DISTANCE.
+SurfaceRegion color_of_words(const char* option, const std::string& words) {
+  const std::size_t slash = words.find('/');
+  const std::optional<Vector3> color = color_in_text(std::string_view(words).substr(0, slash));
+  require(color.has_value(), {.field = option, .problem = kColorWords, .value = words});
+  if (slash == words.npos) return {.color = ColorRange{*color}};
+  const std::optional<double> within = number_in(std::string_view(words).substr(slash + 1));
+  require(within && *within >= 0.0 && *within <= ColorRange::kFarthest,
+          {.field = option,
+           .problem = "a colour's distance must be from 0 to 2, as in #cc3311/0.1",
+           .value = words});
+  return {.color = ColorRange{*color, *within}};
+}
+
 SurfaceRegion region_of_words(const char* option, const std::string& words) {
+  if (words.starts_with('#')) return color_of_words(option, words);
   // A name has letters, a box none.
   const bool is_box = words.find(':') != std::string::npos &&
                       words.find_first_not_of("0123456789+-.,:eE") == std::string::npos;

@@ -1,6 +1,8 @@
 // Regions of an object's surface in scene and grasp files.
 #pragma once
 
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "sim/base/json/json_pose.h"
@@ -8,9 +10,13 @@
 
 namespace prehend {
 
-// One of {"part": NAME}, {"inside": {shape}} and {"beyond": {plane}} (docs/reference/scene-file.md)
-// among other fields, which the caller allows; the surface of a part is not known yet. Throws
-// InputError that names the field.
+// The fields of a region.
+inline constexpr auto kRegionFields =
+    std::to_array<std::string_view>({"part", "color", "within", "inside", "beyond"});
+
+// One of {"part": NAME}, {"color": COLOUR, "within": DISTANCE}, {"inside": {shape}} and {"beyond":
+// {plane}} (docs/reference/scene-file.md) among other fields, which the caller allows; the surfaces
+// of parts and colours are not known yet. Throws InputError that names the field.
 SurfaceRegion read_region_fields(const JsonField& field);
 
 // A list of these without other fields.

@@ -85,20 +85,20 @@ NamedMaterials read_materials(const JsonField& object) {
 std::vector<MaterialRegion> read_surfaces(const JsonField& list, const NamedMaterials& named) {
   std::vector<MaterialRegion> surfaces;
   for (const JsonField& field : list.items()) {
-    field.allow_only({"part", "inside", "beyond", "material"});
+    field.allow_only({"part", "color", "within", "inside", "beyond", "material"});
     surfaces.push_back({read_region_fields(field), material_of(field["material"], named)});
   }
   return surfaces;
 }
 
-void find_surfaces(const JsonField& list, const std::vector<MeshPart>& parts,
-                   const TriangleMesh& mesh, std::vector<MaterialRegion>& surfaces) {
+void find_surfaces(const JsonField& list, const FileSurfaces& file, const TriangleMesh& mesh,
+                   std::vector<MaterialRegion>& surfaces) {
   const std::vector<JsonField> fields = list.items();
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     SurfaceRegion& where = surfaces[i].where;
-    if (!where.part.empty()) {
-      const JsonField named = fields[i]["part"];
-      with_field_errors(named, [&] { where.surface = part_of_mesh(where.part, parts, mesh); });
+    if (where.is_of_file()) {
+      const JsonField named = fields[i][where.color ? "color" : "part"];
+      with_field_errors(named, [&] { where.surface = part_of_mesh(where, file, mesh); });
     }
     if (!has_surface_of(where, mesh)) fields[i].fail("must meet the surface");
   }

@@ -20,14 +20,14 @@ using NamedMaterials = std::map<std::string, SurfaceMaterial, std::less<>>;
 NamedMaterials read_materials(const JsonField& object);
 
 // A list of regions (json_region.h) with a "material" each, which may be one of `named`; the
-// surfaces of parts are not known yet. Throws InputError that names the field.
+// surfaces of parts and colours are not known yet. Throws InputError that names the field.
 std::vector<MaterialRegion> read_surfaces(const JsonField& list, const NamedMaterials& named);
 
 // Fills in the surfaces of regions that read_surfaces read from the list. Throws InputError that
-// names the field for a part that the file does not have, and for a region without any surface of
-// the mesh.
-void find_surfaces(const JsonField& list, const std::vector<MeshPart>& parts,
-                   const TriangleMesh& mesh, std::vector<MaterialRegion>& surfaces);
+// names the field for a part or colour that the file does not have, and for a region without any
+// surface of the mesh.
+void find_surfaces(const JsonField& list, const FileSurfaces& file, const TriangleMesh& mesh,
+                   std::vector<MaterialRegion>& surfaces);
 
 // What these functions read; the materials are those of all surfaces of the scene.
 nlohmann::ordered_json surfaces_to_json(const std::vector<MaterialRegion>& surfaces);

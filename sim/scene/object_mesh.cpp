@@ -54,15 +54,15 @@ bool of_cad(const std::filesystem::path& file) {
 }
 
 // Reads the file, in metres first where no unit is stated: the size tells whether they are.
-LoadedMesh read_in_likely_unit(const std::filesystem::path& file, bool part_surfaces,
+LoadedMesh read_in_likely_unit(const std::filesystem::path& file, MeshFileOptions options,
                                ObjectMesh& object) {
-  LoadedMesh loaded = load_mesh(file, {.part_surfaces = part_surfaces});
+  LoadedMesh loaded = load_mesh(file, options);
   const double size = longest_side(loaded.mesh);
   object.unit = states_unit(file) ? "m" : likely_unit(size, of_cad(file));
   if (object.unit == "m") return loaded;
   // Read again, not scaled, so that the same bytes come out as when the unit is stated.
-  loaded = load_mesh(
-      file, {.metres_per_unit = metres_per_unit(object.unit), .part_surfaces = part_surfaces});
+  options.metres_per_unit = metres_per_unit(object.unit);
+  loaded = load_mesh(file, options);
   object.notes.push_back(formatted(
       "%.4g long in the file, whose unit nobody says: read in %s, which makes it %.4g mm; --unit m "
       "reads it in metres",
@@ -109,11 +109,12 @@ std::string likely_unit(double longest_side, bool of_cad) {
 ObjectMesh load_object_mesh(const std::filesystem::path& file, const ObjectMeshSource& source) {
   ObjectMesh object;
   object.unit = source.unit;
-  LoadedMesh loaded = source.unit.empty()
-                          ? read_in_likely_unit(file, source.part_surfaces, object)
-                          : load_mesh(file, {.metres_per_unit = metres_per_unit(source.unit),
-                                             .part_surfaces = source.part_surfaces});
+  MeshFileOptions options{.part_surfaces = source.part_surfaces, .colors = source.colors};
+  if (!source.unit.empty()) options.metres_per_unit = metres_per_unit(source.unit);
+  LoadedMesh loaded =
+      source.unit.empty() ? read_in_likely_unit(file, options, object) : load_mesh(file, options);
   object.parts = std::move(loaded.parts);
+  object.colors = std::move(loaded.colors);
   if (!source.repair) {
     orient_outward(loaded.mesh);
     object.mesh = std::move(loaded.mesh);

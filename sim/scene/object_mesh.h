@@ -22,6 +22,7 @@ struct ObjectMeshSource {
   std::string unit;            // as of metres_per_unit; empty: likely_unit, of glTF, COLLADA m
   bool repair = true;          // repair_mesh; else the surface is only turned outward
   bool part_surfaces = false;  // whether those of ObjectMesh::parts are wanted
+  bool colors = false;         // whether ObjectMesh::colors are wanted
 };
 
 // A surface that faces outward, and what was assumed and repaired.
@@ -30,6 +31,7 @@ struct ObjectMesh {
   std::string unit;                     // in which the file was read
   std::vector<std::string> notes = {};  // for people, one line each
   std::vector<MeshPart> parts = {};     // that the file names
+  ColoredMesh colors = {};              // of the file
 };
 
 // Throws InputError as load_mesh (mesh_file.h).

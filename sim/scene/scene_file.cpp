@@ -64,16 +64,37 @@ double read_restitution(const JsonField& body) {
   return body.number_or("restitution", 0.0, kFraction);
 }
 
-// A surface, and the parts of its file where they are asked for.
-struct BodyMesh {
-  TriangleMesh mesh;
-  std::vector<MeshPart> parts = {};
+// What of a mesh file regions refer to, which is read for them.
+struct NeededSurfaces {
+  bool parts = false;
+  bool colors = false;
+
+  void add(const SurfaceRegion& region) {
+    parts |= !region.part.empty();
+    colors |= region.color.has_value();
+  }
+  void add(const std::vector<SurfaceRegion>& regions) {
+    for (const SurfaceRegion& region : regions) add(region);
+  }
+  void add(const std::vector<MaterialRegion>& surfaces) {
+    for (const MaterialRegion& surface : surfaces) add(surface.where);
+  }
+  bool any() const { return parts || colors; }
 };
 
-BodyMesh mesh_from_file(const std::filesystem::path& file, double metres_per_unit, bool parts) {
-  LoadedMesh loaded = load_mesh(file, {.metres_per_unit = metres_per_unit, .part_surfaces = parts});
+// A surface, and what of its file was asked for.
+struct BodyMesh {
+  TriangleMesh mesh;
+  FileSurfaces of_file = {};
+};
+
+BodyMesh mesh_from_file(const std::filesystem::path& file, double metres_per_unit,
+                        const NeededSurfaces& needed) {
+  LoadedMesh loaded = load_mesh(
+      file,
+      {.metres_per_unit = metres_per_unit, .part_surfaces = needed.parts, .colors = needed.colors});
   orient_outward(loaded.mesh);
-  return {std::move(loaded.mesh), std::move(loaded.parts)};
+  return {std::move(loaded.mesh), {std::move(loaded.parts), std::move(loaded.colors)}};
 }
 
 constexpr int kDefaultTriangles = 5000;
@@ -90,12 +111,13 @@ double read_unit(const JsonField& body) {
 }
 
 // Exactly one of "mesh" (a file beside the scene), "generate" (a name) and "geometry" (shapes).
-BodyMesh read_body_mesh(const JsonField& body, ShapeBudget& budget, bool parts = false) {
+BodyMesh read_body_mesh(const JsonField& body, ShapeBudget& budget,
+                        const NeededSurfaces& needed = {}) {
   const int given = int{body.has("mesh")} + int{body.has("generate")} + int{body.has("geometry")};
   if (given != 1) body.fail("needs exactly one of mesh, generate, geometry");
   if (body.has("mesh")) {
     const std::filesystem::path file = body.file().parent_path() / body["mesh"].text();
-    return mesh_from_file(file, read_unit(body), parts);
+    return mesh_from_file(file, read_unit(body), needed);
   }
   if (body.has("geometry")) return {read_geometry(body["geometry"], FileUnits{}, {}, budget)};
   try {
@@ -125,24 +147,14 @@ bool read_repair(const JsonField& field, const SceneSource& source) {
   return field["repair"].boolean() && source.repair;
 }
 
-ObjectMesh read_object_mesh(const JsonField& field, bool repair, bool part_surfaces,
+ObjectMesh read_object_mesh(const JsonField& field, bool repair, const NeededSurfaces& needed,
                             ShapeBudget& budget) {
   if (!field.has("mesh") || field.has("generate") || field.has("geometry")) {
     return {.mesh = read_body_mesh(field, budget).mesh, .unit = "m"};
   }
   (void)read_unit(field);
   const std::filesystem::path file = field.file().parent_path() / field["mesh"].text();
-  return load_object_mesh(file, {field.text_or("unit", "m"), repair, part_surfaces});
-}
-
-bool are_of_parts(const std::vector<SurfaceRegion>& regions) {
-  return std::any_of(regions.begin(), regions.end(),
-                     [](const SurfaceRegion& region) { return !region.part.empty(); });
-}
-
-bool are_of_parts(const std::vector<MaterialRegion>& surfaces) {
-  return std::any_of(surfaces.begin(), surfaces.end(),
-                     [](const MaterialRegion& surface) { return !surface.where.part.empty(); });
+  return load_object_mesh(file, {field.text_or("unit", "m"), repair, needed.parts, needed.colors});
 }
 
 // The regions in "surfaces" of a body or a link.
@@ -151,29 +163,39 @@ std::vector<MaterialRegion> read_body_surfaces(const JsonField& body, const Name
   return read_surfaces(body["surfaces"], named);
 }
 
-// Whether a region is a part of the mesh file, whose surface is needed then.
-bool needs_parts(const Scene& scene, const ObjectChoice& choice) {
-  return are_of_parts(scene.keep_out) || are_of_parts(scene.preferred) ||
-         are_of_parts(scene.porous) || are_of_parts(choice.keep_out) ||
-         are_of_parts(choice.preferred);
+// What the regions of an object need of its mesh file.
+NeededSurfaces needed_surfaces(const Scene& scene, const ObjectChoice& choice) {
+  NeededSurfaces needed;
+  for (const auto* regions :
+       {&scene.keep_out, &scene.preferred, &scene.porous, &choice.keep_out, &choice.preferred}) {
+    needed.add(*regions);
+  }
+  return needed;
 }
 
-// Fills in the surfaces of the regions that stand in this list.
-void find_parts(const JsonField& list, const std::vector<MeshPart>& parts,
+// Fills in the surfaces of the regions that stand in field `name` of an object.
+void find_parts(const JsonField& object, const char* name, const FileSurfaces& file,
                 std::vector<SurfaceRegion>& regions) {
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    if (regions[i].part.empty()) continue;
-    const JsonField named = list.items()[i]["part"];
-    with_field_errors(named, [&] { regions[i].surface = part_surface(regions[i].part, parts); });
+    if (!regions[i].is_of_file()) continue;
+    const JsonField named = object[name].items()[i][regions[i].color ? "color" : "part"];
+    with_field_errors(named, [&] { find_file_surface(file, regions[i]); });
   }
 }
 
+// The same of all regions of the scene's object, which were read from there.
+void find_parts(const JsonField& object, const FileSurfaces& file, Scene& scene) {
+  find_parts(object, "keep_out", file, scene.keep_out);
+  find_parts(object, "preferred", file, scene.preferred);
+  find_parts(object, "porous", file, scene.porous);
+}
+
 // Adds regions that were chosen, called `name` in messages.
-void add_chosen(const std::vector<SurfaceRegion>& chosen, const std::vector<MeshPart>& parts,
+void add_chosen(const std::vector<SurfaceRegion>& chosen, const FileSurfaces& file,
                 const char* name, std::vector<SurfaceRegion>& regions) {
   for (SurfaceRegion region : chosen) {
     try {
-      if (!region.part.empty()) region.surface = part_surface(region.part, parts);
+      find_file_surface(file, region);
     } catch (const InputError& error) {
       throw error.about(name);
     }
@@ -181,11 +203,11 @@ void add_chosen(const std::vector<SurfaceRegion>& chosen, const std::vector<Mesh
   }
 }
 
-void choose_regions(const ObjectChoice& choice, const std::vector<MeshPart>& parts,
+void choose_regions(const ObjectChoice& choice, const FileSurfaces& of_file,
                     const std::filesystem::path& file, Scene& scene) {
   try {
-    add_chosen(choice.keep_out, parts, "keep_out", scene.keep_out);
-    add_chosen(choice.preferred, parts, "preferred", scene.preferred);
+    add_chosen(choice.keep_out, of_file, "keep_out", scene.keep_out);
+    add_chosen(choice.preferred, of_file, "preferred", scene.preferred);
   } catch (const InputError& error) {
     throw error.in_file(file.string());
   }
@@ -210,12 +232,12 @@ void read_object(const JsonField& field, const SceneSource& source, const NamedM
   if (field.has("porous")) scene.porous = read_regions(field["porous"]);
   std::vector<MaterialRegion> surfaces = read_body_surfaces(field, named);
   const bool repair = read_repair(field, source);
-  const bool parts = needs_parts(scene, source.choice) || are_of_parts(surfaces);
-  ObjectMesh surface = read_object_mesh(field, repair, parts, budget);
-  if (field.has("keep_out")) find_parts(field["keep_out"], surface.parts, scene.keep_out);
-  if (field.has("preferred")) find_parts(field["preferred"], surface.parts, scene.preferred);
-  if (field.has("porous")) find_parts(field["porous"], surface.parts, scene.porous);
-  choose_regions(source.choice, surface.parts, field.file(), scene);
+  NeededSurfaces needed = needed_surfaces(scene, source.choice);
+  needed.add(surfaces);
+  ObjectMesh surface = read_object_mesh(field, repair, needed, budget);
+  const FileSurfaces of_file{std::move(surface.parts), std::move(surface.colors)};
+  find_parts(field, of_file, scene);
+  choose_regions(source.choice, of_file, field.file(), scene);
   scene.notes = std::move(surface.notes);
   const std::string name = field.text_or("name", kUnnamedObject);
   const Material material = read_material(field, Material::plastic);
@@ -226,11 +248,11 @@ void read_object(const JsonField& field, const SceneSource& source, const NamedM
   read_mass(field, body);
   if (!says_where_mass_is(field)) {
     const std::optional<double> whole = field.has("mass") ? std::optional(mass) : std::nullopt;
-    spread_named_mass(body, surface.parts, whole, scene.notes);
+    spread_named_mass(body, of_file.parts, whole, scene.notes);
   }
   if (field.has("pose")) body.X_WO = read_pose(field["pose"]);
   body.restitution = read_restitution(field);
-  if (field.has("surfaces")) find_surfaces(field["surfaces"], surface.parts, body.mesh, surfaces);
+  if (field.has("surfaces")) find_surfaces(field["surfaces"], of_file, body.mesh, surfaces);
   body.surfaces = std::move(surfaces);
   body.source = read_source(field);
   if (auto* file = std::get_if<MeshFileSource>(&body.source)) file->repair = repair;
@@ -244,8 +266,10 @@ StaticBody read_obstacle(const JsonField& field, const NamedMaterials& named, Sh
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "pose",
                     "restitution", "surfaces", "apart"});
   std::vector<MaterialRegion> surfaces = read_body_surfaces(field, named);
-  BodyMesh read = read_body_mesh(field, budget, are_of_parts(surfaces));
-  if (field.has("surfaces")) find_surfaces(field["surfaces"], read.parts, read.mesh, surfaces);
+  NeededSurfaces needed;
+  needed.add(surfaces);
+  BodyMesh read = read_body_mesh(field, budget, needed);
+  if (field.has("surfaces")) find_surfaces(field["surfaces"], read.of_file, read.mesh, surfaces);
   StaticBody body{field["name"].text(),
                   std::move(read.mesh),
                   Pose::Identity(),
@@ -310,9 +334,7 @@ void read_seen_object(const JsonField& field, const SceneSource& source,
   if (field.has("keep_out")) scene.keep_out = read_regions(field["keep_out"]);
   if (field.has("preferred")) scene.preferred = read_regions(field["preferred"]);
   if (field.has("porous")) scene.porous = read_regions(field["porous"]);
-  if (field.has("keep_out")) find_parts(field["keep_out"], {}, scene.keep_out);
-  if (field.has("preferred")) find_parts(field["preferred"], {}, scene.preferred);
-  if (field.has("porous")) find_parts(field["porous"], {}, scene.porous);
+  find_parts(field, {}, scene);
   choose_regions(source.choice, {}, field.file(), scene);
   place_seen(things, number_of(field, source.choice.object, things),
              read_material(field, Material::plastic), whole_mass(field), scene);
@@ -393,7 +415,9 @@ void read_link_surfaces(const JsonField& links, bool other_hand, const NamedMate
   for (const std::string& name : links.keys()) {
     const JsonField field = links[name];
     LinkSurfaces link{name, read_surfaces(field, named)};
-    if (are_of_parts(link.surfaces)) field.fail("a link has no parts with names; state a shape");
+    NeededSurfaces needed;
+    needed.add(link.surfaces);
+    if (needed.any()) field.fail("a link has no parts with names or colours; state a shape");
     if (other_hand) continue;
     std::vector<std::string> known;
     for (const Link& of_hand : scene.hand.links) {
@@ -547,8 +571,9 @@ Scene load_as_stated(const fs::path& file, const SceneSource& source) {
     raise_sunk_object(scene);
     return scene;
   }
+  const NeededSurfaces needed = needed_surfaces({}, source.choice);
   ObjectMesh read =
-      load_object_mesh(file, {source.unit, source.repair, needs_parts({}, source.choice)});
+      load_object_mesh(file, {source.unit, source.repair, needed.parts, needed.colors});
   GraspableBody object =
       make_graspable(file.stem().string(), std::move(read.mesh), Material::plastic);
   object.source = MeshFileSource{absolute_path(file), read.unit, source.repair};
@@ -556,7 +581,7 @@ Scene load_as_stated(const fs::path& file, const SceneSource& source) {
   require_object(source.choice, {object.name}, file);
   Scene scene = make_scene(std::move(object), source.hand.empty() ? kDefaultHand : source.hand,
                            source.foreign);
-  choose_regions(source.choice, read.parts, file, scene);
+  choose_regions(source.choice, {std::move(read.parts), std::move(read.colors)}, file, scene);
   scene.notes = std::move(read.notes);
   // A unit that is the likely one has a note of its own.
   if (!source.unit.empty() || read.unit == "m") note_size(scene);

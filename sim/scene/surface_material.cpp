@@ -94,28 +94,36 @@ double depth_between(const CompliantDepths& depths, const SurfaceMaterial& a,
 }
 
 bool has_surface_of(const SurfaceRegion& region, const TriangleMesh& mesh) {
-  if (!region.part.empty()) return !region.surface.empty();
+  if (region.is_of_file()) return !region.surface.empty();
   for (int t = 0; t < std::ssize(mesh.triangles); ++t) {
     if (meets(region, corners_of(mesh, t))) return true;
   }
   return false;
 }
 
-TriangleMesh part_of_mesh(const std::string& name, const std::vector<MeshPart>& parts,
+TriangleMesh part_of_mesh(const SurfaceRegion& region, const FileSurfaces& file,
                           const TriangleMesh& mesh) {
-  (void)part_surface(name, parts);  // throws where there is none
+  SurfaceRegion in_file = region;
+  find_file_surface(file, in_file);  // throws where there is none
   TriangleMesh all;
-  std::vector<bool> is_named;
-  for (const MeshPart& part : parts) {
-    append(all, part.surface);
-    is_named.resize(all.triangles.size(), is_part_called(part, name));
+  std::vector<bool> is_meant;
+  if (region.color) {
+    all = file.colors.surface;
+    for (const SurfaceColor& color : file.colors.colors) {
+      is_meant.push_back(is_within(*region.color, color));
+    }
+  } else {
+    for (const MeshPart& part : file.parts) {
+      append(all, part.surface);
+      is_meant.resize(all.triangles.size(), is_part_called(part, region.part));
+    }
   }
   const ProximityMesh near(std::move(all));
   TriangleMesh surface{mesh.vertices, {}};
   std::vector<int> nearest;
   for (int t = 0; t < std::ssize(mesh.triangles); ++t) {
     nearest_triangles(near, middle_of(corners_of(mesh, t)), kSame, nearest);
-    if (is_named[index(nearest.front())]) surface.triangles.push_back(mesh.triangles[index(t)]);
+    if (is_meant[index(nearest.front())]) surface.triangles.push_back(mesh.triangles[index(t)]);
   }
   return surface;
 }
@@ -127,7 +135,7 @@ SurfaceMaterials::SurfaceMaterials(Material body, const std::vector<MaterialRegi
   std::vector<int> nearest;
   for (int i = 0; i < std::ssize(regions_); ++i) {
     const SurfaceRegion& where = regions_[index(i)].where;
-    if (where.part.empty() || where.surface.empty()) continue;
+    if (!where.is_of_file() || where.surface.empty()) continue;
     surface_ = surface;
     part_of_.resize(mesh.triangles.size(), -1);
     const SurfaceRegions part({where});
@@ -141,7 +149,7 @@ int SurfaceMaterials::region_at(const Vector3& p_B) const {
   int last = -1;
   for (int i = 0; i < std::ssize(regions_); ++i) {
     const SurfaceRegion& where = regions_[index(i)].where;
-    if (where.part.empty() && distance_to(where, p_B) <= kMargin) last = i;
+    if (!where.is_of_file() && distance_to(where, p_B) <= kMargin) last = i;
   }
   if (!surface_) return last;
   std::vector<int> nearest;

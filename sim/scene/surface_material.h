@@ -42,11 +42,11 @@ struct MaterialRegion {
 // Whether any point of the mesh (body frame) is in the region, up to SurfaceRegions::kMargin.
 bool has_surface_of(const SurfaceRegion& region, const TriangleMesh& mesh);
 
-// The surface of the parts of this name (part_surface), as triangles of `mesh`, which was made of
-// all `parts` and perhaps repaired: each triangle belongs to the part that its middle is nearest
-// to, so that one that closes a hole belongs to what is around it. Throws InputError as
-// part_surface.
-TriangleMesh part_of_mesh(const std::string& name, const std::vector<MeshPart>& parts,
+// The surface of a region of the file (find_file_surface), as triangles of `mesh`, which was made
+// of the file and perhaps repaired: each triangle belongs to what the triangle of the file is of
+// that its middle is nearest to, so that one that closes a hole belongs to what is around it.
+// Throws InputError as find_file_surface.
+TriangleMesh part_of_mesh(const SurfaceRegion& region, const FileSurfaces& file,
                           const TriangleMesh& mesh);
 
 // The materials of a body's surface made ready to be asked for points. Copies share search trees.

@@ -69,9 +69,17 @@ TriangleMesh part_surface(const std::string& name, const std::vector<MeshPart>& 
   return surface;
 }
 
+void find_file_surface(const FileSurfaces& file, SurfaceRegion& region) {
+  if (region.color) {
+    region.surface = color_surface(*region.color, file.colors);
+  } else if (!region.part.empty()) {
+    region.surface = part_surface(region.part, file.parts);
+  }
+}
+
 SurfaceRegions::SurfaceRegions(const std::vector<SurfaceRegion>& regions) {
   for (const SurfaceRegion& region : regions) {
-    if (!region.part.empty()) {
+    if (region.is_of_file()) {
       parts_.emplace_back(region.surface);
     } else if (region.beyond) {
       planes_.push_back(*region.beyond);

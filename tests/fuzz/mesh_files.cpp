@@ -28,6 +28,21 @@ void check_clean(const LoadedMesh& loaded) {
   promised(check_mesh(mesh).degenerate_triangles == 0, "no triangle is degenerate");
 }
 
+void check_colors(const ColoredMesh& mesh) {
+  promised(mesh.colors.size() == mesh.surface.triangles.size(), "each triangle has an entry");
+  for (const SurfaceColor& color : mesh.colors) {
+    if (!color) continue;
+    promised(color->minCoeff() >= 0.0F && color->maxCoeff() <= 1.0F, "colours are from 0 to 1");
+  }
+  double whole = 0.0;
+  for (const ColorShare& one : frequent_colors(mesh)) {
+    promised(one.share > 0.0, "a colour that is listed is there");
+    promised(color_in_text(color_text(one.color)).has_value(), "its text is a colour");
+    whole += one.share;
+  }
+  promised(whole <= 1.0 + 1e-9, "colours cover at most the whole");
+}
+
 void check_mass(const TriangleMesh& mesh) {
   const MassProperties mass = mass_properties(mesh);
   promised(mass.volume >= 0.0 && std::isfinite(mass.volume), "the volume is a finite number");
@@ -55,9 +70,11 @@ bool finite(const Pose& pose) { return pose.matrix().allFinite(); }
 
 // Reads the mesh and does with it what every plan does with the mesh of its object.
 void read_mesh_file(std::string_view extension, const std::string& bytes) {
-  LoadedMesh loaded = read_mesh(bytes, pretended_path(extension, extension));
+  LoadedMesh loaded = read_mesh(bytes, pretended_path(extension, extension),
+                                {.part_surfaces = true, .colors = true});
   check_usable(loaded.mesh);
   check_clean(loaded);
+  check_colors(loaded.colors);
   orient_outward(loaded.mesh);
   check_usable(loaded.mesh);
   promised(orient_outward(loaded.mesh) == 0, "what faces outward is not turned again");

@@ -59,6 +59,15 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"KeepOutOfAPartWithoutName", "plan mug --keep-out handle --out FOLDER/out", "",
                 "keep_out: the object has no parts with names; state a shape that it is inside "
                 "(handle)"},
+        Mistake{"KeepOutOfAColourOfNone", "plan mug --keep-out '#cc3311' --out FOLDER/out", "",
+                "keep_out: the object has no colours of vertices, faces or materials; state a "
+                "shape that it is inside (#cc3311)"},
+        Mistake{"PreferNoColour", "plan mug --prefer '#cc331' --out FOLDER/out", "",
+                "--prefer: must be a colour, such as \"#cc3311\": # and two hexadecimal digits "
+                "each of red, green, blue (#cc331)"},
+        Mistake{"PreferAColourTooFar", "plan mug --prefer '#cc3311/3' --out FOLDER/out", "",
+                "--prefer: a colour's distance must be from 0 to 2, as in #cc3311/0.1 "
+                "(#cc3311/3)"},
         Mistake{"PreferAFlatBox", "plan mug --prefer 0,0,0:1,0,1 --out FOLDER/out", "",
                 "--prefer: a box is two corners in mm that differ in each coordinate, such as "
                 "-10,-10,0:10,10,50 (0,0,0:1,0,1)"},

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/program/program.h"
+#include "tests/support/colored_stick.h"
 
 namespace prehend::test {
 namespace {
@@ -43,6 +44,36 @@ TEST(Inspect, SaysWhatTheMassWasTakenToFill) {
   EXPECT_EQ(holed.find("encloses nothing"), std::string::npos) << holed;
   const std::string flat = inspected(cube_without("inspect_flat", 10));
   EXPECT_NE(flat.find("from the surface, the mesh encloses nothing\n"), std::string::npos) << flat;
+}
+
+TEST(Inspect, ListsTheColoursOfAFile) {
+  const std::filesystem::path file = fresh_folder("inspect_colors") / "stick.ply";
+  std::string ply = colored_stick(true);
+  std::ofstream(file) << ply;
+  const std::string said = inspected(file);
+  EXPECT_NE(said.find("  colours #cc3311 53 %, #2266aa 47 %\n"), std::string::npos) << said;
+  ply.replace(ply.find("204 51 17"), 9, "304 51 17");
+  std::ofstream(file) << ply;
+  const std::string refused = inspected(file);
+  EXPECT_NE(refused.find("  colours cannot be read: line 25: red must be from 0 to 255, not 304\n"),
+            std::string::npos)
+      << refused;
+}
+
+// With --keep-out the colour is in grasps.json, which replay reads.
+TEST(KeepOut, OfAColourIsAWordWithAHash) {
+  const std::filesystem::path folder = fresh_folder("keep_out_color");
+  std::ofstream(folder / "stick.ply") << colored_stick();
+  const std::string out = (folder / "out").string();
+  const ProgramRun plan = run_program("plan " + (folder / "stick.ply").string() +
+                                      " --hand parallel_jaw --keep-out '#cc3311/0.1' --trials 60 "
+                                      "--no-report --out " +
+                                      out);
+  EXPECT_EQ(plan.status, 0) << plan.err;
+  const std::string grasps = content(folder / "out" / "grasps.json");
+  EXPECT_NE(grasps.find("#cc3311"), std::string::npos);
+  const ProgramRun evaluated = run_program("evaluate " + out + "/grasps.json --out " + out + "2");
+  EXPECT_EQ(evaluated.status, 0) << evaluated.err;
 }
 
 TEST(Inspect, SaysWhereBodiesAreInTheirFrameAndInTheWorld) {

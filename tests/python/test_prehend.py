@@ -465,6 +465,15 @@ class Kinematics(unittest.TestCase):
                 prehend.load_scene(file, object="there")
             with self.assertRaisesRegex(prehend.InputError, "keep_out: the object has no parts"):
                 prehend.load_scene(file, keep_out=["lid"])
+            with self.assertRaisesRegex(prehend.InputError, "keep_out: the object has no colours"):
+                prehend.load_scene(file, keep_out=["#cc3311"])
+            with self.assertRaisesRegex(prehend.InputError, "must be a colour, such as"):
+                prehend.load_scene(file, preferred=[{"color": "red", "within": 0.1}])
+            stick = pathlib.Path(os.environ["PREHEND_SOURCE"]) / "tests/corpus/ply/good_face_colors.ply"
+            half = prehend.load_scene(stick, unit="cm", keep_out=["#0000ff"])
+            half.save(pathlib.Path(folder) / "half.json")
+            saved = json.loads((pathlib.Path(folder) / "half.json").read_text())
+            self.assertEqual(saved["object"]["keep_out"], [{"color": "#0000ff"}])
         any_plan = planning.plan_any(found, few_options())
         self.assertEqual(len(any_plan.results), 2)
         self.assertEqual(any_plan.first, [[], []])

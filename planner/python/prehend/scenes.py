@@ -68,13 +68,15 @@ def as_mesh(mesh: MeshLike) -> Mesh:
     return Mesh(points, as_faces(faces, len(points)))
 
 
-#: A region of an object's surface: the name of a part of its mesh file, or as in a scene file,
-#: {"inside": {"shape": "box", "size": [0.02, 0.05, 0.1], "pose": {...}}}.
+#: A region of an object's surface: the name of a part of its mesh file, a colour there ("#cc3311"),
+#: or as in a scene file, {"inside": {"shape": "box", "size": [0.02, 0.05, 0.1], "pose": {...}}}.
 Region = Union[str, Mapping[str, Any]]
 
 
 def as_region(region: Region) -> Mapping[str, Any]:
-    return {"part": region} if isinstance(region, str) else region
+    if not isinstance(region, str):
+        return region
+    return {"color": region} if region.startswith("#") else {"part": region}
 
 
 def load_mesh(file: PathLike, unit: str = "m") -> Mesh:

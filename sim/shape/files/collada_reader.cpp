@@ -262,10 +262,22 @@ class Primitive {
   std::size_t offset_ = 0;  // of the index of the vertex
 };
 
-NamedMesh geometry_of(const XmlElement& geometry, const ColladaIds& ids) {
+// Consecutive triangles with one symbol of a material.
+struct SymbolTriangles {
+  std::string symbol;
+  std::size_t count = 0;
+};
+
+struct ColladaGeometry {
+  NamedMesh named;
+  std::vector<SymbolTriangles> symbols;  // of all triangles in their order
+};
+
+ColladaGeometry geometry_of(const XmlElement& geometry, const ColladaIds& ids) {
   const std::optional<XmlElement> mesh = geometry.child("mesh");
-  NamedMesh result;
-  if (!mesh) return result;
+  ColladaGeometry whole;
+  if (!mesh) return whole;
+  NamedMesh& result = whole.named;
   const XmlElement vertices = (*mesh)["vertices"];
   result.mesh.vertices = vertices_of(vertices, ids);
   const std::string part = geometry.text_or("name", geometry.text_or("id", ""));
@@ -273,10 +285,54 @@ NamedMesh geometry_of(const XmlElement& geometry, const ColladaIds& ids) {
     const std::string kind = element.name();
     if (kind == "triangles" || kind == "polylist" || kind == "polygons" || kind == "tristrips") {
       Primitive(element, vertices).add_to(result.mesh);
-      result.name_rest(element.text_or("material", "") + " " + part);
+      const std::string symbol = element.text_or("material", "");
+      whole.symbols.push_back({symbol, result.mesh.triangles.size() - result.named});
+      std::string name = symbol;
+      name += ' ';
+      name += part;
+      result.name_rest(name);
     }
   }
-  return result;
+  return whole;
+}
+
+// The diffuse colour of an effect that states it in numbers.
+SurfaceColor diffuse_of(const XmlElement& effect) {
+  const std::optional<XmlElement> profile = effect.child("profile_COMMON");
+  const std::optional<XmlElement> technique = profile ? profile->child("technique") : std::nullopt;
+  if (!technique) return std::nullopt;
+  for (const XmlElement& shading : technique->children()) {
+    const std::optional<XmlElement> diffuse = shading.child("diffuse");
+    const std::optional<XmlElement> color = diffuse ? diffuse->child("color") : std::nullopt;
+    if (!color) continue;
+    const std::vector<double> numbers = color->content_numbers();
+    if (numbers.size() != 3 && numbers.size() != 4) color->fail("must have 3 or 4 numbers");
+    Eigen::Vector3f result;
+    for (int k = 0; k < 3; ++k) {
+      const std::optional<float> part = color_part(numbers[index(k)], 1.0);
+      if (!part) color->fail("must be from 0 to 1", shortest_text(numbers[index(k)]));
+      result[k] = *part;
+    }
+    return result;
+  }
+  return std::nullopt;
+}
+
+// The colour that a symbol stands for in an instance of a geometry or a controller, which binds it
+// to a material; a symbol that is not bound may be the id of one.
+SurfaceColor color_of_symbol(const std::string& symbol, const XmlElement& instance,
+                             const ColladaIds& ids) {
+  const XmlElement* material = ids.find("material", symbol);
+  if (const std::optional<XmlElement> bind = instance.child("bind_material")) {
+    if (const std::optional<XmlElement> common = bind->child("technique_common")) {
+      for (const XmlElement& bound : common->children("instance_material")) {
+        if (bound.text("symbol") == symbol) material = &ids.at(bound, "target", "material");
+      }
+    }
+  }
+  const std::optional<XmlElement> effect =
+      material != nullptr ? material->child("instance_effect") : std::nullopt;
+  return effect ? diffuse_of(ids.at(*effect, "url", "effect")) : std::nullopt;
 }
 
 // The metres of a unit; a file that says nothing is in metres.
@@ -291,7 +347,7 @@ double unit_of(const XmlElement& root) {
 // Walks through the nodes of a scene, and through those that they refer to.
 class ColladaScene {
  public:
-  explicit ColladaScene(const XmlElement& root) : ids_(root) {
+  ColladaScene(const XmlElement& root, bool colors) : ids_(root), colors_(colors) {
     for (const XmlElement& library : root.children("library_geometries")) {
       for (const XmlElement& geometry : library.children("geometry")) {
         geometries_.emplace(geometry.text_or("id", ""), geometry_of(geometry, ids_));
@@ -323,7 +379,7 @@ class ColladaScene {
     }
     for (const XmlElement& child : children) {
       const std::string kind = child.name();
-      if (kind == "instance_geometry") add_geometry(child, "url", X_FileNode);
+      if (kind == "instance_geometry") add_geometry(child, "url", child, X_FileNode);
       if (kind == "instance_controller") add_controller(child, X_FileNode);
     }
     for (const XmlElement& child : children) {
@@ -333,28 +389,37 @@ class ColladaScene {
     open_.pop_back();
   }
 
-  void add_geometry(const XmlElement& from, const char* attribute, const Eigen::Affine3d& X) {
+  // `instance` is what binds its materials.
+  void add_geometry(const XmlElement& from, const char* attribute, const XmlElement& instance,
+                    const Eigen::Affine3d& X) {
     constexpr std::size_t kMostVertices = 50'000'000;
     const auto found = geometries_.find(reference(from, attribute));
     if (found == geometries_.end()) from.fail("there is no geometry", from.text(attribute));
-    const NamedMesh& part = found->second;
+    const NamedMesh& part = found->second.named;
     if (mesh_.mesh.vertices.size() + part.mesh.vertices.size() > kMostVertices) {
       from.fail("more than 50 million vertices");
     }
     append(mesh_.mesh, part.mesh, X);
     for (const NamedTriangles& of : part.names) mesh_.add_name(of.name, of.count);
+    if (!colors_) return;
+    for (const SymbolTriangles& of : found->second.symbols) {
+      const SurfaceColor color = color_of_symbol(of.symbol, instance, ids_);
+      mesh_.colors.insert(mesh_.colors.end(), of.count, color);
+    }
   }
 
   // A controller deforms a geometry: as a skin moved by joints or as a mean of several shapes.
   void add_controller(const XmlElement& instance, const Eigen::Affine3d& X) {
     const XmlElement& controller = ids_.at(instance, "url", "controller");
     for (const char* kind : {"skin", "morph"}) {
-      if (const auto deformed = controller.child(kind)) add_geometry(*deformed, "source", X);
+      if (const auto deformed = controller.child(kind))
+        add_geometry(*deformed, "source", instance, X);
     }
   }
 
   ColladaIds ids_;
-  std::map<std::string, NamedMesh> geometries_;
+  bool colors_;  // whether they are wanted
+  std::map<std::string, ColladaGeometry> geometries_;
   std::vector<std::string> open_;  // ids of the nodes around the present one
   int nodes_ = 0;
   NamedMesh mesh_;
@@ -362,12 +427,12 @@ class ColladaScene {
 
 }  // namespace
 
-NamedMesh read_collada(const std::string& bytes, const std::filesystem::path& file) {
+NamedMesh read_collada(const std::string& bytes, const std::filesystem::path& file, bool colors) {
   need_text(bytes);
   const XmlFile document(file, bytes);
   const XmlElement root = document.root();
   if (root.name() != "COLLADA") root.fail("is not the root of a COLLADA file");
-  return ColladaScene(root).mesh();
+  return ColladaScene(root, colors).mesh();
 }
 
 }  // namespace prehend

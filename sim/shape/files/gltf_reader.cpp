@@ -11,6 +11,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/json/json_depth.h"
+#include "sim/base/number_text.h"
 #include "sim/shape/files/gltf_buffers.h"
 #include "sim/shape/files/gltf_members.h"
 #include "sim/shape/files/mesh_readers.h"
@@ -95,6 +96,16 @@ std::string gltf_name(const Json& object) {
   return name.is_string() ? name.get<std::string>() : std::string();
 }
 
+// A part of a colour, `full` at most.
+float light_part(const char* field, double value, double full) {
+  const std::optional<float> part = color_part(value, full);
+  if (!part) {
+    throw InputError(
+        {.field = field, .problem = "must be from 0 to 1", .value = shortest_text(value)});
+  }
+  return *part;
+}
+
 Eigen::Affine3d transform_of(const Json& node) {
   Eigen::Affine3d X = Eigen::Affine3d::Identity();
   if (node.contains("matrix")) {
@@ -118,8 +129,8 @@ Eigen::Affine3d transform_of(const Json& node) {
 // can check its indices against lists that are complete.
 class GltfDocument {
  public:
-  GltfDocument(const Json& document, const GltfBuffers& buffers)
-      : document_(document), buffers_(buffers) {}
+  GltfDocument(const Json& document, const GltfBuffers& buffers, bool colors)
+      : document_(document), buffers_(buffers), colors_(colors) {}
 
   NamedMesh read() {
     const Json asset = document_.value("asset", Json::object());
@@ -242,6 +253,74 @@ class GltfDocument {
     return result;
   }
 
+  // The colours of vertices, which the specification requires to be three or four floats, unsigned
+  // bytes or shorts; none: the primitive has none.
+  std::optional<std::vector<Eigen::Vector3f>> vertex_colors(const Json& primitive,
+                                                            std::size_t vertices) const {
+    const Json attributes = primitive.value("attributes", Json::object());
+    if (!attributes.contains("COLOR_0")) return std::nullopt;
+    const Accessor& given = accessors_[gltf_index(attributes, "COLOR_0", accessors_.size())];
+    const std::uint64_t type = given.component;
+    if ((given.width != 3 && given.width != 4) ||
+        (type != kFloat && type != 5121 && type != 5123)) {
+      throw InputError(
+          {.field = "COLOR_0", .problem = "must be three or four floats or unsigned numbers"});
+    }
+    if (given.count != vertices) {
+      throw InputError({.field = "COLOR_0",
+                        .problem = "has " + std::to_string(given.count) + " colours of " +
+                                   std::to_string(vertices) + " vertices"});
+    }
+    std::vector<Eigen::Vector3f> result(vertices);
+    for (std::uint64_t i = 0; i < given.count; ++i) {
+      for (std::uint64_t k = 0; k < 3; ++k) {
+        result[i][static_cast<Eigen::Index>(k)] =
+            type == kFloat ? light_part("COLOR_0", given.number<float>(buffers_, i, k), 1.0)
+            : type == 5121
+                ? light_part("COLOR_0", given.number<std::uint8_t>(buffers_, i, k), 255.0)
+                : light_part("COLOR_0", given.number<std::uint16_t>(buffers_, i, k), 65535.0);
+      }
+    }
+    return result;
+  }
+
+  // The factor of a primitive's material; none: it has none.
+  static SurfaceColor base_color(const Json& primitive, const Json& materials) {
+    if (!primitive.contains("material")) return std::nullopt;
+    const Json& material = materials[gltf_index(primitive, "material", materials.size())];
+    need_object(material);
+    const Json surface = material.value("pbrMetallicRoughness", Json::object());
+    need_object(surface);
+    if (!surface.contains("baseColorFactor")) return std::nullopt;
+    const std::vector<double> factor = gltf_numbers(surface, "baseColorFactor", 4);
+    Eigen::Vector3f color;
+    for (std::size_t k = 0; k < 3; ++k) {
+      color[static_cast<Eigen::Index>(k)] = light_part("baseColorFactor", factor[k], 1.0);
+    }
+    return color;
+  }
+
+  // Gives the triangles of the mesh that come from this primitive their colours: products of light.
+  void add_colors(const Json& primitive, const Json& materials, std::size_t vertices,
+                  NamedMesh& mesh) const {
+    const auto of_vertices = vertex_colors(primitive, vertices);
+    const SurfaceColor factor = base_color(primitive, materials);
+    const auto shown = [](const Eigen::Vector3f& light) {
+      return Eigen::Vector3f(shown_part(light[0]), shown_part(light[1]), shown_part(light[2]));
+    };
+    if (!of_vertices) {
+      mesh.color_rest(factor ? SurfaceColor(shown(*factor)) : std::nullopt);
+      return;
+    }
+    std::vector<SurfaceColor> colors;
+    colors.reserve(vertices);
+    for (const Eigen::Vector3f& light : *of_vertices) {
+      colors.emplace_back(shown(factor ? light.cwiseProduct(*factor) : light));
+    }
+    // The primitive's vertices are the last of the mesh.
+    mesh.color_rest_by_vertices(colors, mesh.mesh.vertices.size() - vertices);
+  }
+
   void count_in(std::uint64_t vertices_or_corners) {
     counted_ += vertices_or_corners;
     if (counted_ > kMostInPrimitives) {
@@ -277,8 +356,10 @@ class GltfDocument {
       need_object(mesh);
       NamedMesh& kept = meshes_.emplace_back();
       for (const Json& given : gltf_list(mesh, "primitives")) {
-        append(kept.mesh, primitive(given));
+        const TriangleMesh part = primitive(given);
+        append(kept.mesh, part);
         kept.name_rest(material_of(given, materials));
+        if (colors_) add_colors(given, materials, part.vertices.size(), kept);
       }
     }
   }
@@ -355,12 +436,14 @@ class GltfDocument {
       for (const NamedTriangles& of : part.names) {
         named.add_name(of.name + " " + node.name, of.count);
       }
+      named.colors.insert(named.colors.end(), part.colors.begin(), part.colors.end());
     }
     for (const std::uint64_t child : node.children) add_node(named, nodes_[child], X_FileNode);
   }
 
   const Json& document_;
   const GltfBuffers& buffers_;
+  bool colors_;  // whether they are wanted
   std::vector<View> views_;
   std::vector<Accessor> accessors_;
   std::vector<NamedMesh> meshes_;
@@ -372,7 +455,7 @@ class GltfDocument {
 // Parses the JSON text and reads its scene. `chunk`: the binary chunk of the GLB that the text
 // comes from.
 NamedMesh read_document(std::string_view text, std::string_view chunk,
-                        const std::filesystem::path& folder) {
+                        const std::filesystem::path& folder, bool colors) {
   if (json_depth(text) > kDeepestJson) throw InputError("the JSON is nested too deep");
   const Json document = Json::parse(text, nullptr, false);
   if (document.is_discarded() || !document.is_object()) throw InputError("the JSON is not valid");
@@ -383,7 +466,7 @@ NamedMesh read_document(std::string_view text, std::string_view chunk,
     }
   }
   const GltfBuffers buffers = fetch_gltf_buffers(gltf_list(document, "buffers"), chunk, folder);
-  return GltfDocument(document, buffers).read();
+  return GltfDocument(document, buffers, colors).read();
 }
 
 std::uint32_t word_at(std::string_view bytes, std::size_t at) {
@@ -401,12 +484,12 @@ constexpr std::uint32_t kBinary = 0x004E4942;
 
 }  // namespace
 
-NamedMesh read_gltf(std::string_view bytes, const std::filesystem::path& folder) {
+NamedMesh read_gltf(std::string_view bytes, const std::filesystem::path& folder, bool colors) {
   need_text(bytes);
-  return read_document(bytes, {}, folder);
+  return read_document(bytes, {}, folder, colors);
 }
 
-NamedMesh read_glb(std::string_view bytes, const std::filesystem::path& folder) {
+NamedMesh read_glb(std::string_view bytes, const std::filesystem::path& folder, bool colors) {
   if (bytes.size() < kGltfHeader + kGltfChunkHeader || bytes.substr(0, 4) != "glTF") {
     throw InputError("no GLB header");
   }
@@ -424,7 +507,8 @@ NamedMesh read_glb(std::string_view bytes, const std::filesystem::path& folder) 
     if (word_at(bytes, json_end) > data.size()) throw InputError("the GLB ends inside its data");
     data = data.substr(0, word_at(bytes, json_end));
   }
-  return read_document(bytes.substr(kGltfHeader + kGltfChunkHeader, json_bytes), data, folder);
+  return read_document(bytes.substr(kGltfHeader + kGltfChunkHeader, json_bytes), data, folder,
+                       colors);
 }
 
 }  // namespace prehend

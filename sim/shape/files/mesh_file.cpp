@@ -60,10 +60,10 @@ void scale_to_metres(TriangleMesh& mesh, double metres_per_unit) {
 }
 
 NamedMesh read_raw(const std::string& bytes, const std::filesystem::path& file,
-                   const std::string& extension) {
-  if (extension == "obj") return read_obj(bytes);
+                   const std::string& extension, bool colors) {
+  if (extension == "obj") return read_obj(bytes, colors);
   if (extension == "stl") return {read_stl(bytes)};
-  if (extension == "ply") return {read_ply(bytes)};
+  if (extension == "ply") return read_ply(bytes, colors);
   if (extension == "off") {
     need_text(bytes);
     return {read_off(bytes)};
@@ -72,9 +72,9 @@ NamedMesh read_raw(const std::string& bytes, const std::filesystem::path& file,
     need_text(bytes);
     return {read_inventor(bytes)};
   }
-  if (extension == "gltf") return read_gltf(bytes, file.parent_path());
-  if (extension == "glb") return read_glb(bytes, file.parent_path());
-  return read_collada(bytes, file);
+  if (extension == "gltf") return read_gltf(bytes, file.parent_path(), colors);
+  if (extension == "glb") return read_glb(bytes, file.parent_path(), colors);
+  return read_collada(bytes, file, colors);
 }
 
 // Adds triangle `t` of the mesh, with vertices of its own.
@@ -113,7 +113,7 @@ LoadedMesh load(const auto& bytes, const std::filesystem::path& file,
            .problem = "must be positive and finite",
            .value = std::to_string(options.metres_per_unit)});
   const std::string extension = known_extension_of(file);
-  NamedMesh named = read_raw(bytes(), file, extension);
+  NamedMesh named = read_raw(bytes(), file, extension, options.colors);
   TriangleMesh& raw = named.mesh;
   if (raw.empty()) throw InputError("no triangles");
   // Unused vertices are removed first: they may be invalid, and they must not enlarge the bounding
@@ -121,8 +121,12 @@ LoadedMesh load(const auto& bytes, const std::filesystem::path& file,
   drop_unused_vertices(raw);
   scale_to_metres(raw, options.metres_per_unit);
   WeldedMesh welded = weld_to_scale(raw, options.weld_fraction);
-  return {std::move(welded.mesh), welded.degenerate_removed, welded.duplicates_removed,
-          parts_of(named, options.part_surfaces)};
+  LoadedMesh loaded{std::move(welded.mesh), welded.degenerate_removed, welded.duplicates_removed,
+                    parts_of(named, options.part_surfaces)};
+  const bool colored = std::any_of(named.colors.begin(), named.colors.end(),
+                                   [](const SurfaceColor& color) { return color.has_value(); });
+  if (colored) loaded.colors = {std::move(named.mesh), std::move(named.colors)};
+  return loaded;
 }
 
 }  // namespace
@@ -133,6 +137,13 @@ void NamedMesh::add_name(std::string_view name, std::size_t count) {
   if (names.empty() || (more && names.back().name != name)) names.push_back({std::string(name), 0});
   names.back().count += count;
   named += count;
+}
+
+void NamedMesh::color_rest_by_vertices(const std::vector<SurfaceColor>& of_vertices,
+                                       std::size_t first) {
+  for (std::size_t t = colors.size(); t < mesh.triangles.size(); ++t) {
+    colors.push_back(mean_color(of_vertices, mesh.triangles[t], first));
+  }
 }
 
 double metres_per_unit(std::string_view unit) {

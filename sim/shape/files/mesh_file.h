@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/shape/files/mesh_color.h"
 #include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
@@ -29,6 +30,7 @@ struct MeshFileOptions {
   // Vertices closer than this fraction of the bounding-box diagonal are merged (> 0, < 0.01).
   double weld_fraction = 1e-6;
   bool part_surfaces = false;  // whether MeshPart::surface is wanted
+  bool colors = false;         // whether LoadedMesh::colors are wanted
 };
 
 // A part of a mesh that its file names.
@@ -44,18 +46,21 @@ struct LoadedMesh {
   int degenerate_removed = 0;        // triangles of no area or with a repeated vertex, left out
   int duplicates_removed = 0;        // triangles left out because they repeat another (weld.h)
   std::vector<MeshPart> parts = {};  // of OBJ, glTF and COLLADA; empty where there are over 1000
+  ColoredMesh colors = {};           // of PLY, OBJ, glTF and COLLADA, where they were asked for
 };
 
 // All triangles of all parts of the file, with the transforms of its nodes applied, polygons
 // triangulated, lines and points left out; scaled to metres. The extension determines the format
 // (.obj .stl .ply .off .gltf .glb .dae .iv .wrl in upper or lower case). Axes are never turned:
 // COLLADA's up_axis is ignored and glTF stays y-up. The winding of the file is kept (see
-// orient_outward). Of materials only the names are read. Coordinates have single precision, as in
+// orient_outward). Of materials the names are read, and colours
+// where they are asked for. Coordinates have single precision, as in
 // most of these formats.
 //
 // Throws InputError, one line that starts with the name of the file and states the defect, when the
 // file is missing, unreadable, empty or larger than 1 GiB, has an unknown format, is damaged
-// (truncated, counts or indices out of range, coordinates that are not finite numbers), has a
+// (truncated, counts or indices out of range, coordinates that are not finite numbers, colours that
+// are asked for and out of range), has a
 // coordinate beyond 1e6 m, or has no triangle of positive area.
 LoadedMesh load_mesh(const std::filesystem::path& file, const MeshFileOptions& options = {});
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/shape/files/mesh_color.h"
 #include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
@@ -24,15 +25,23 @@ struct NamedTriangles {
 struct NamedMesh {
   TriangleMesh mesh = {};
   std::vector<NamedTriangles> names = {};
-  std::size_t named = 0;  // triangles
+  std::size_t named = 0;                  // triangles
+  std::vector<SurfaceColor> colors = {};  // of all triangles where they were asked for, else empty
 
   // Names the triangles that no name counts yet, by its first 2 * kLongestName characters.
   void name_rest(std::string_view name) { add_name(name, mesh.triangles.size() - named); }
   // Names that many more.
   void add_name(std::string_view name, std::size_t count);
+  // Gives the triangles without an entry in `colors` this one, or the mean of their corners
+  // (mean_color).
+  void color_rest(const SurfaceColor& color) { colors.resize(mesh.triangles.size(), color); }
+  void color_rest_by_vertices(const std::vector<SurfaceColor>& of_vertices, std::size_t first = 0);
 };
 inline constexpr std::size_t kMostNames = 1000;
 inline constexpr std::size_t kLongestName = 100;  // of a material or a part [characters]
+
+// Readers take `colors`: whether those of the surface are wanted, which are passed over otherwise.
+// They must be numbers from 0 to 1, or whole ones up to what their type holds.
 
 // Wavefront OBJ.
 //
@@ -40,8 +49,9 @@ inline constexpr std::size_t kLongestName = 100;  // of a material or a part [ch
 // triangulate_face; faces of one or two corners are left out), which may come before their
 // vertices. Names are those of usemtl and of the last g or o. Points, lines, normals and texture
 // coordinates are ignored; curved surfaces and references to other files are errors, because a part
-// of the surface would be missing. Throws InputError with the line number.
-NamedMesh read_obj(std::string_view text);
+// of the surface would be missing. Colours are three numbers after the coordinates of a vertex; a
+// single one is a weight, as in curved surfaces. Throws InputError with the line number.
+NamedMesh read_obj(std::string_view text, bool colors = false);
 
 // STL, text and binary.
 //
@@ -56,10 +66,11 @@ TriangleMesh read_stl(std::string_view bytes);
 //
 // Parses the elements vertex (x, y, z of any type, rounded to single precision) and face (one list
 // of vertices, triangulated by triangulate_face; faces of one or two corners are left out). Other
-// elements and properties are passed over. Throws InputError, with the line number in text files:
+// elements and properties are passed over. Colours are red, green and blue of faces, else of
+// vertices: uchar, ushort, float or double. Throws InputError, with the line number in text files:
 // for counts that exceed the file, indices out of range, coordinates that are not finite, surfaces
 // other than faces.
-TriangleMesh read_ply(std::string_view bytes);
+NamedMesh read_ply(std::string_view bytes, bool colors = false);
 
 // OFF (Geomview's Object File Format).
 //
@@ -74,13 +85,17 @@ TriangleMesh read_off(std::string_view text);
 // All triangles of the default scene, or of all nodes in a file without scenes, with the transforms
 // of the nodes applied, in metres; vertices are not merged. Triangles, strips and fans are read,
 // points and lines left out. Buffers outside the file are regular *.bin files in `folder`. Names
-// are those of materials and nodes. Skins, morph targets, animations and extensions are ignored.
+// are those of materials and nodes. Colours are the product of COLOR_0 and baseColorFactor, or the
+// one of them that is there, turned from light to sRGB. Skins, morph targets, animations, textures
+// and extensions are ignored.
 //
 // Throws InputError, with the member of the document that is wrong: for what is not glTF 2, for
 // compressed and sparse data, counts and indices out of range, nodes that contain themselves, and
 // for nodes that together have more than 50 million vertices.
-NamedMesh read_gltf(std::string_view bytes, const std::filesystem::path& folder);
-NamedMesh read_glb(std::string_view bytes, const std::filesystem::path& folder);
+NamedMesh read_gltf(std::string_view bytes, const std::filesystem::path& folder,
+                    bool colors = false);
+NamedMesh read_glb(std::string_view bytes, const std::filesystem::path& folder,
+                   bool colors = false);
 
 // COLLADA (.dae).
 //
@@ -88,14 +103,15 @@ NamedMesh read_glb(std::string_view bytes, const std::filesystem::path& folder);
 // applied, triangulated (add_triangles), in the file's own metres per unit; vertices are not
 // merged. Axes are never turned, whatever the file declares as up. Read are triangles, polylist,
 // polygons and tristrips; lines and points are left out. Names are the symbols of materials and
-// those of geometries. A controller stands for the geometry that it deforms. `file` is only named
-// in errors.
+// those of geometries. Colours are the diffuse ones of materials (profile_COMMON) as they are
+// written. A controller stands for the geometry that it deforms. `file` is only named in errors.
 //
 // Throws InputError "FILE: line 12, <p>: problem": for what XmlFile refuses, for other surfaces
 // (polygons with holes, fans, splines, bodies by their borders), counts and indices that do not fit
 // their lists, references to what is not in the file, nodes that contain themselves, and for nodes
 // that stand for more than 100,000 nodes or 50 million vertices.
-NamedMesh read_collada(const std::string& bytes, const std::filesystem::path& file);
+NamedMesh read_collada(const std::string& bytes, const std::filesystem::path& file,
+                       bool colors = false);
 
 // Inventor 2 (.iv) and VRML 1 and 2 (.wrl) in ascii.
 //

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/shape/files/mesh_readers.h"
 #include "sim/shape/files/text_scan.h"
@@ -62,6 +63,27 @@ bool is_other_surface(std::string_view statement) {
   return std::find(kOthers.begin(), kOthers.end(), statement) != kOthers.end();
 }
 
+// What follows the coordinates of a vertex: nothing, a weight, or a colour.
+SurfaceColor color_after(TextScan& scan) {
+  std::array<std::string_view, 4> words;
+  std::size_t count = 0;
+  while (count < words.size() && !(words[count] = next_word(scan)).empty()) ++count;
+  if (count < 2) return std::nullopt;
+  if (count != 3) {
+    scan.fail("a vertex has " + std::string(count == 2 ? "2" : "more than 3") +
+              " numbers after its coordinates, a colour has 3");
+  }
+  Eigen::Vector3f color;
+  for (int k = 0; k < 3; ++k) {
+    const std::string_view word = words[index(k)];
+    const std::optional<double> number = number_in(word);
+    const std::optional<float> part = number ? color_part(*number, 1.0) : std::nullopt;
+    if (!part) scan.fail("a colour must have numbers from 0 to 1 (" + in_quotes(word) + ")");
+    color[k] = *part;
+  }
+  return color;
+}
+
 void check_indices(const std::vector<Face>& faces, std::size_t vertices) {
   for (const Face& face : faces) {
     const int highest = *std::max_element(face.corners.begin(), face.corners.end());
@@ -74,10 +96,11 @@ void check_indices(const std::vector<Face>& faces, std::size_t vertices) {
 
 }  // namespace
 
-NamedMesh read_obj(std::string_view text) {
+NamedMesh read_obj(std::string_view text, bool colors) {
   need_text(text);
   TextScan scan(text);
   std::vector<Vector3> vertices;
+  std::vector<SurfaceColor> vertex_colors;
   std::vector<Face> faces;
   std::string material;
   std::string part;
@@ -87,6 +110,7 @@ NamedMesh read_obj(std::string_view text) {
     if (statement == "v") {
       Vector3& p = vertices.emplace_back();
       for (double& x : p) x = static_cast<float>(coordinate_in(scan, next_word(scan)));
+      if (colors) vertex_colors.push_back(color_after(scan));
     } else if (statement == "f") {
       Face face = read_face(scan, vertices.size());
       face.name = names.size() - 1;
@@ -108,6 +132,7 @@ NamedMesh read_obj(std::string_view text) {
     add_triangles(named.mesh, face.corners);
     named.name_rest(names[face.name]);
   }
+  if (colors) named.color_rest_by_vertices(vertex_colors);
   return named;
 }
 

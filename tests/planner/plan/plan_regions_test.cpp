@@ -1,11 +1,16 @@
 // Plans of objects with regions that hands must keep out of, or had better touch.
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
 
 #include "planner/plan/plan.h"
 #include "planner/results/grasps_file.h"
+#include "sim/scene/scene_file.h"
+#include "tests/support/colored_stick.h"
 #include "tests/support/scenes.h"
 
 namespace prehend {
@@ -92,6 +97,25 @@ TEST(PlanRegions, GraspsOfPreferredRegionsComeFirst) {
   }
   EXPECT_GT(preferred, 0);
   EXPECT_LT(preferred, static_cast<int>(result.grasps.size()));
+}
+
+// The stick of two colours: all contacts are on the one that is allowed, or preferred.
+TEST(PlanRegions, OfColoursSayWhereGraspsHold) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "two_colors.ply";
+  std::ofstream(file) << test::colored_stick();
+  for (const bool keep_lower : {false, true}) {
+    SurfaceRegion kept_out;
+    kept_out.color = ColorRange{*color_in_text(keep_lower ? test::kUpperColor : test::kLowerColor)};
+    const Scene scene =
+        load_scene(file, {.hand = "parallel_jaw", .choice = {.keep_out = {kept_out}}});
+    const PlanResult result = plan(compile(scene), few_trials());
+    ASSERT_FALSE(result.grasps.empty());
+    for (const ScoredGrasp& grasp : result.grasps) {
+      for (const GraspContact& contact : grasp.trial.contacts) {
+        EXPECT_GT((keep_lower ? -1.0 : 1.0) * contact.point.position.z(), 0.0);
+      }
+    }
+  }
 }
 
 TEST(PlanRegions, AreTheSameOnAnyNumberOfThreads) {

@@ -260,8 +260,9 @@ TEST(SurfaceMaterials, MistakesNameTheField) {
   EXPECT_EQ(refused(R"("inside": {"shape": "sphere", "radius": 0.01}, "material": "rubber")"),
             "object.surfaces[0]: must meet the surface ({\"inside\":{\"radius\":0.01,"
             "\"shape\":\"sphere\"},\"material\":\"rubbe...)");
-  EXPECT_EQ(refused(R"("material": "rubber")"),
-            "object.surfaces[0]: needs one of part, inside, beyond ({\"material\":\"rubber\"})");
+  EXPECT_EQ(
+      refused(R"("material": "rubber")"),
+      "object.surfaces[0]: needs one of part, color, inside, beyond ({\"material\":\"rubber\"})");
   EXPECT_EQ(refused(R"("part": "floor")"), "object.surfaces[0].material: must be given");
   EXPECT_EQ(refused(R"("part": "floor", "material": "wet")",
                     R"(, "materials": {"wet": {"like": "glass", "friction": -1}})"),

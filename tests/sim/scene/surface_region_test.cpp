@@ -75,7 +75,7 @@ TEST(SurfaceRegion, APartIsCalledByItsWholeNameItsMaterialOrItsOwn) {
 TEST(SurfaceRegion, HasThePointsInItsShapeAndNearItsPart) {
   SurfaceRegion inside;
   inside.inside = {Box{{0.02, 0.04, 0.06}}, translation({0.1, 0.0, 0.0})};
-  const SurfaceRegion part{.part = "ball", .inside = {}, .surface = make_sphere(0.05, 4)};
+  const SurfaceRegion part{.part = "ball", .surface = make_sphere(0.05, 4)};
   const SurfaceRegions regions({inside, part});
   Random random(3);
   constexpr double kMargin = SurfaceRegions::kMargin;
@@ -124,7 +124,7 @@ TEST(SurfaceRegion, MistakesNameTheField) {
             "object.keep_out[0].part: no part of the mesh file is called that; it has steel left, "
             "steel right_half (up)");
   EXPECT_EQ(refusal_of_scene(stick_scene(R"(, "preferred": [{}])")),
-            "object.preferred[0]: needs one of part, inside, beyond ({})");
+            "object.preferred[0]: needs one of part, color, inside, beyond ({})");
   EXPECT_EQ(refusal_of_scene(stick_scene(R"(, "preferred": [{"inside": {"shape": "bar", "points":
       [[0, 0, 0], [0, 0, 1]], "width": 0.1, "closed": false}}])")),
             "object.preferred[0].inside.shape: must be box, sphere, cylinder or cone (\"bar\")");
