@@ -124,6 +124,7 @@ std::vector<DepthView> views_of(const TableCase& object, double angle, int count
 }
 
 TriangleMesh hull_of_seen(const SeenObject& object) {
+  if (object.mesh.empty()) return {};
   std::vector<Vector3> points;
   for (std::size_t t = 0; t < object.seen.size(); ++t) {
     if (object.seen[t] == 0) continue;

@@ -6,7 +6,6 @@
 
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
-#include "sim/base/input_file.h"
 #include "sim/base/joined.h"
 #include "sim/base/json/json_field.h"
 #include "sim/base/json/json_pose.h"
@@ -14,11 +13,11 @@
 #include "sim/base/nearest_name.h"
 #include "sim/base/range.h"
 #include "sim/base/xml/xml_file.h"
-#include "sim/robot/files/platform_file.h"
 #include "sim/robot/files/robot_file.h"
 #include "sim/robot/files/robot_geometry.h"
 #include "sim/robot/hand/derive_hand.h"
 #include "sim/scene/graspit_world.h"
+#include "sim/scene/json_body.h"
 #include "sim/scene/json_carrier.h"
 #include "sim/scene/json_friction.h"
 #include "sim/scene/json_mass.h"
@@ -31,13 +30,9 @@
 #include "sim/scene/named_mass.h"
 #include "sim/scene/object_friction.h"
 #include "sim/scene/object_mass.h"
-#include "sim/scene/object_mesh.h"
 #include "sim/scene/scene_library.h"
 #include "sim/scene/seen_scene.h"
 #include "sim/scene/sunk_object.h"
-#include "sim/shape/files/mesh_file.h"
-#include "sim/shape/mesh_checks.h"
-#include "sim/shape/object_generator.h"
 
 // A scene file is read field by field through JsonField, which knows its place in the file, so that
 // every error names the field. Readers of robots, materials and generated objects do not know that
@@ -52,115 +47,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Range kApart{.upper = 1.0};  // m
-
-Material read_material(const JsonField& body, Material otherwise) {
-  if (!body.has("material")) return otherwise;
-  const JsonField field = body["material"];
-  return with_field_errors(field, [&] { return material_named(field.text()); });
-}
-
-double read_restitution(const JsonField& body) {
-  return body.number_or("restitution", 0.0, kFraction);
-}
-
-// What of a mesh file regions refer to, which is read for them.
-struct NeededSurfaces {
-  bool parts = false;
-  bool colors = false;
-
-  void add(const SurfaceRegion& region) {
-    parts |= !region.part.empty();
-    colors |= region.color.has_value();
-  }
-  void add(const std::vector<SurfaceRegion>& regions) {
-    for (const SurfaceRegion& region : regions) add(region);
-  }
-  void add(const std::vector<MaterialRegion>& surfaces) {
-    for (const MaterialRegion& surface : surfaces) add(surface.where);
-  }
-  bool any() const { return parts || colors; }
-};
-
-// A surface, and what of its file was asked for.
-struct BodyMesh {
-  TriangleMesh mesh;
-  FileSurfaces of_file = {};
-};
-
-BodyMesh mesh_from_file(const std::filesystem::path& file, double metres_per_unit,
-                        const NeededSurfaces& needed) {
-  LoadedMesh loaded = load_mesh(
-      file,
-      {.metres_per_unit = metres_per_unit, .part_surfaces = needed.parts, .colors = needed.colors});
-  orient_outward(loaded.mesh);
-  return {std::move(loaded.mesh), {std::move(loaded.parts), std::move(loaded.colors)}};
-}
-
-constexpr int kDefaultTriangles = 5000;
-
-int read_triangles(const JsonField& body) {
-  return body.has("triangles") ? body["triangles"].integer() : kDefaultTriangles;
-}
-
-// Metres per unit of the body's mesh file.
-double read_unit(const JsonField& body) {
-  if (!body.has("unit")) return 1.0;
-  const JsonField field = body["unit"];
-  return with_field_errors(field, [&] { return metres_per_unit(field.text()); });
-}
-
-// Exactly one of "mesh" (a file beside the scene), "generate" (a name) and "geometry" (shapes).
-BodyMesh read_body_mesh(const JsonField& body, ShapeBudget& budget,
-                        const NeededSurfaces& needed = {}) {
-  const int given = int{body.has("mesh")} + int{body.has("generate")} + int{body.has("geometry")};
-  if (given != 1) body.fail("needs exactly one of mesh, generate, geometry");
-  if (body.has("mesh")) {
-    const std::filesystem::path file = body.file().parent_path() / body["mesh"].text();
-    return mesh_from_file(file, read_unit(body), needed);
-  }
-  if (body.has("geometry")) return {read_geometry(body["geometry"], FileUnits{}, {}, budget)};
-  try {
-    return {generate_object(body["generate"].text(), read_triangles(body))};
-  } catch (const InputError& error) {
-    body[error.field() == "triangles" ? "triangles" : "generate"].fail_about(error);
-  }
-}
-
-std::string absolute_path(const std::filesystem::path& file) {
-  return std::filesystem::absolute(file).lexically_normal().string();
-}
-
-ShapeSource read_source(const JsonField& body) {
-  if (body.has("mesh")) {
-    return MeshFileSource{absolute_path(body.file().parent_path() / body["mesh"].text()),
-                          body.text_or("unit", "m")};
-  }
-  if (body.has("generate")) return GeneratedSource{body["generate"].text(), read_triangles(body)};
-  return WrittenShapesSource{body["geometry"].json()};
-}
-
 // Whether the object's mesh file is repaired.
 bool read_repair(const JsonField& field, const SceneSource& source) {
   if (!field.has("repair")) return source.repair;
   if (!field.has("mesh")) field["repair"].fail("only of a mesh file");
   return field["repair"].boolean() && source.repair;
-}
-
-ObjectMesh read_object_mesh(const JsonField& field, bool repair, const NeededSurfaces& needed,
-                            ShapeBudget& budget) {
-  if (!field.has("mesh") || field.has("generate") || field.has("geometry")) {
-    return {.mesh = read_body_mesh(field, budget).mesh, .unit = "m"};
-  }
-  (void)read_unit(field);
-  const std::filesystem::path file = field.file().parent_path() / field["mesh"].text();
-  return load_object_mesh(file, {field.text_or("unit", "m"), repair, needed.parts, needed.colors});
-}
-
-// The regions in "surfaces" of a body or a link.
-std::vector<MaterialRegion> read_body_surfaces(const JsonField& body, const NamedMaterials& named) {
-  if (!body.has("surfaces")) return {};
-  return read_surfaces(body["surfaces"], named);
 }
 
 // What the regions of an object need of its mesh file.
@@ -260,27 +151,6 @@ void read_object(const JsonField& field, const SceneSource& source, const NamedM
   for (const JsonField& shape : field["primitives"].items()) {
     scene.primitives.push_back(read_primitive(shape));
   }
-}
-
-StaticBody read_obstacle(const JsonField& field, const NamedMaterials& named, ShapeBudget& budget) {
-  field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "pose",
-                    "restitution", "surfaces", "apart"});
-  std::vector<MaterialRegion> surfaces = read_body_surfaces(field, named);
-  NeededSurfaces needed;
-  needed.add(surfaces);
-  BodyMesh read = read_body_mesh(field, budget, needed);
-  if (field.has("surfaces")) find_surfaces(field["surfaces"], read.of_file, read.mesh, surfaces);
-  StaticBody body{field["name"].text(),
-                  std::move(read.mesh),
-                  Pose::Identity(),
-                  read_material(field, Material::wood),
-                  {}};
-  if (field.has("pose")) body.X_WB = read_pose(field["pose"]);
-  body.restitution = read_restitution(field);
-  body.apart = field.number_or("apart", 0.0, kApart);
-  body.surfaces = std::move(surfaces);
-  body.source = read_source(field);
-  return body;
 }
 
 // Things that no hand holds are noted, whatever unit was stated.
@@ -576,7 +446,8 @@ Scene load_as_stated(const fs::path& file, const SceneSource& source) {
       load_object_mesh(file, {source.unit, source.repair, needed.parts, needed.colors});
   GraspableBody object =
       make_graspable(file.stem().string(), std::move(read.mesh), Material::plastic);
-  object.source = MeshFileSource{absolute_path(file), read.unit, source.repair};
+  object.source =
+      MeshFileSource{fs::absolute(file).lexically_normal().string(), read.unit, source.repair};
   spread_named_mass(object, read.parts, {}, read.notes);
   require_object(source.choice, {object.name}, file);
   Scene scene = make_scene(std::move(object), source.hand.empty() ? kDefaultHand : source.hand,
@@ -636,7 +507,8 @@ std::vector<std::string> scene_objects(const fs::path& name_or_file, const std::
 }
 
 std::string unit_of_source(const fs::path& name_or_file, const Scene& scene) {
-  const std::string itself = absolute_path(find_scene(name_or_file.string()));
+  const std::string itself =
+      fs::absolute(find_scene(name_or_file.string())).lexically_normal().string();
   if (const auto* mesh = std::get_if<MeshFileSource>(&scene.object.source)) {
     if (mesh->path == itself) return mesh->unit;
   }

@@ -125,18 +125,31 @@ void for_each_reading(const DepthView& view, const Visit& visit) {
   }
 }
 
+// The height above the support from which on a reading may be a thing's [m]: so much that noise of
+// the support's own readings next to never reaches it. Else they join things that stand apart, the
+// more so the more views there are. Noise grows with the square of the depth, as that of
+// structured light and stereo cameras does (Nguyen et al. 2012), from where half of the readings
+// are.
+double least_height(double noise, double depth, double median) {
+  const double farther = std::max(1.0, depth / median);
+  return std::max(0.003, 3.0 * noise * farther * farther);
+}
+
 void find_clusters(PreparedViews& prepared, const ReconstructOptions& options) {
   double pitch = 0.0;
+  std::vector<double> medians;
   for (const DepthView& view : prepared.views) {
-    pitch = std::max(pitch, median_depth({view}) / std::min(view.camera.fx, view.camera.fy));
+    medians.push_back(median_depth({view}));
+    pitch = std::max(pitch, medians.back() / std::min(view.camera.fx, view.camera.fy));
   }
   ReadingClusters clusters(std::max({options.gap / 1.5, 4.0 * pitch, options.voxel}));
-  const double least_height = std::max(0.003, 2.5 * prepared.largest_noise);
   std::vector<std::vector<char>> taken;
-  for (const DepthView& view : prepared.views) {
+  for (std::size_t k = 0; k < prepared.views.size(); ++k) {
+    const DepthView& view = prepared.views[k];
     taken.emplace_back(view.depth.size(), 0);
     for_each_reading(view, [&](std::size_t i, int, int, const Vector3& p_W) {
-      if (!may_be_thing(prepared, p_W, least_height)) return;
+      const double depth = static_cast<double>(view.depth[i]);
+      if (!may_be_thing(prepared, p_W, least_height(prepared.noise[k], depth, medians[k]))) return;
       clusters.add(p_W);
       taken.back()[i] = 1;
     });
