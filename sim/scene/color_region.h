@@ -1,8 +1,6 @@
 // Parts of a surface by the colours that its mesh file gives it.
 #pragma once
 
-#include <string>
-
 #include "sim/shape/files/mesh_color.h"
 #include "sim/shape/triangle_mesh.h"
 

@@ -286,7 +286,8 @@ ColladaGeometry geometry_of(const XmlElement& geometry, const ColladaIds& ids) {
     if (kind == "triangles" || kind == "polylist" || kind == "polygons" || kind == "tristrips") {
       Primitive(element, vertices).add_to(result.mesh);
       const std::string symbol = element.text_or("material", "");
-      whole.symbols.push_back({symbol, result.mesh.triangles.size() - result.named});
+      const std::size_t count = result.mesh.triangles.size() - result.named;
+      if (count > 0) whole.symbols.push_back({symbol, count});
       std::string name = symbol;
       name += ' ';
       name += part;
@@ -318,20 +319,21 @@ SurfaceColor diffuse_of(const XmlElement& effect) {
   return std::nullopt;
 }
 
-// The colour that a symbol stands for in an instance of a geometry or a controller, which binds it
-// to a material; a symbol that is not bound may be the id of one.
-SurfaceColor color_of_symbol(const std::string& symbol, const XmlElement& instance,
-                             const ColladaIds& ids) {
-  const XmlElement* material = ids.find("material", symbol);
-  if (const std::optional<XmlElement> bind = instance.child("bind_material")) {
-    if (const std::optional<XmlElement> common = bind->child("technique_common")) {
-      for (const XmlElement& bound : common->children("instance_material")) {
-        if (bound.text("symbol") == symbol) material = &ids.at(bound, "target", "material");
-      }
-    }
+// The materials that an instance of a geometry or a controller binds, by their symbols.
+std::map<std::string, const XmlElement*> bound_materials(const XmlElement& instance,
+                                                         const ColladaIds& ids) {
+  std::map<std::string, const XmlElement*> materials;
+  const std::optional<XmlElement> bind = instance.child("bind_material");
+  const std::optional<XmlElement> common = bind ? bind->child("technique_common") : std::nullopt;
+  if (!common) return materials;
+  for (const XmlElement& bound : common->children("instance_material")) {
+    materials[bound.text("symbol")] = &ids.at(bound, "target", "material");
   }
-  const std::optional<XmlElement> effect =
-      material != nullptr ? material->child("instance_effect") : std::nullopt;
+  return materials;
+}
+
+SurfaceColor color_of_material(const XmlElement& material, const ColladaIds& ids) {
+  const std::optional<XmlElement> effect = material.child("instance_effect");
   return effect ? diffuse_of(ids.at(*effect, "url", "effect")) : std::nullopt;
 }
 
@@ -401,11 +403,26 @@ class ColladaScene {
     }
     append(mesh_.mesh, part.mesh, X);
     for (const NamedTriangles& of : part.names) mesh_.add_name(of.name, of.count);
-    if (!colors_) return;
-    for (const SymbolTriangles& of : found->second.symbols) {
-      const SurfaceColor color = color_of_symbol(of.symbol, instance, ids_);
-      mesh_.colors.insert(mesh_.colors.end(), of.count, color);
+    if (colors_) add_colors(found->second.symbols, instance);
+  }
+
+  // A symbol that is not bound may be the id of a material.
+  void add_colors(const std::vector<SymbolTriangles>& symbols, const XmlElement& instance) {
+    const auto bound = bound_materials(instance, ids_);
+    for (const SymbolTriangles& of : symbols) {
+      const auto found = bound.find(of.symbol);
+      const XmlElement* material =
+          found != bound.end() ? found->second : ids_.find("material", of.symbol);
+      mesh_.colors.insert(mesh_.colors.end(), of.count,
+                          material != nullptr ? color_of(*material) : std::nullopt);
     }
+  }
+
+  // Found once for each material.
+  const SurfaceColor& color_of(const XmlElement& material) {
+    const auto [entry, fresh] = material_colors_.try_emplace(material.text("id"));
+    if (fresh) entry->second = color_of_material(material, ids_);
+    return entry->second;
   }
 
   // A controller deforms a geometry: as a skin moved by joints or as a mean of several shapes.
@@ -420,7 +437,8 @@ class ColladaScene {
   ColladaIds ids_;
   bool colors_;  // whether they are wanted
   std::map<std::string, ColladaGeometry> geometries_;
-  std::vector<std::string> open_;  // ids of the nodes around the present one
+  std::map<std::string, SurfaceColor> material_colors_;  // by id
+  std::vector<std::string> open_;                        // ids of the nodes around the present one
   int nodes_ = 0;
   NamedMesh mesh_;
 };
