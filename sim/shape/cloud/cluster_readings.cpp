@@ -12,6 +12,19 @@ namespace {
 
 constexpr std::int64_t kHalfRange = std::int64_t{1} << 20;
 
+// A cell holds a dozen readings of a surface and more. One that has a single one is noise, which
+// would join what it lies between.
+void drop_lone(std::vector<std::uint64_t>& cells, std::vector<std::size_t>& counts) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (counts[i] < 2) continue;
+    cells[kept] = cells[i];
+    counts[kept++] = counts[i];
+  }
+  cells.resize(kept);
+  counts.resize(kept);
+}
+
 }  // namespace
 
 std::array<std::int64_t, 3> ReadingClusters::cell_of(const Vector3& p) const {
@@ -48,6 +61,7 @@ void ReadingClusters::join(std::size_t least) {
     }
     ++counts.back();
   }
+  drop_lone(cells, counts);
   keys_ = std::move(cells);
   DisjointSets sets(keys_.size());
   // Offsets add to keys component by component: no cell is at the end of the range.

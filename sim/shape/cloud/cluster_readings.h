@@ -19,7 +19,7 @@ class ReadingClusters {
 
   void add(const Vector3& p);
   // Joins what was added: the cluster of each cell, those with the most readings first, those with
-  // fewer than `least` readings left out.
+  // fewer than `least` readings left out. Cells with a single reading are noise: they join nothing.
   void join(std::size_t least);
 
   int count() const { return static_cast<int>(readings_.size()); }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/base/disjoint_sets.h"
+#include "sim/base/index.h"
 #include "sim/base/parallel/parallel.h"
 
 namespace prehend {
@@ -11,7 +13,9 @@ namespace {
 
 constexpr int kBorder = 12;  // of a cutout around the thing [pixels]
 constexpr int kFoot = 4;     // readings near the support are looked at so near a thing [pixels]
-constexpr double kLeastHeight = 2e-3;  // of smoothed readings above the support [m]
+constexpr double kLeastHeight = 2e-3;   // of smoothed readings above the support [m]
+constexpr float kSameSurface = 0.015F;  // of two pixels side by side, difference of depths [m]
+constexpr int kSpeck = 12;              // a patch of fewer pixels is none of the thing
 constexpr float kGrazing = 0.09F;  // cosine of the angle at which surfaces are not to be trusted
 
 // The rectangle of pixels around a cluster, and the median of its depths.
@@ -114,6 +118,35 @@ class Cutter {
   PlaneFitter fitter_;
 };
 
+// Takes pixels out of the thing that belong to patches of few pixels: mixed readings at the edge of
+// the thing, between it and what is far behind it, look like a surface here and there.
+void drop_specks(ObjectView& cut) {
+  DisjointSets patches(cut.kind.size());
+  const auto join = [&](std::size_t a, std::size_t b) {
+    if (cut.kind[a] != PixelKind::thing || cut.kind[b] != PixelKind::thing) return;
+    if (std::abs(cut.depth[a] - cut.depth[b]) < kSameSurface) patches.merge(a, b);
+  };
+  const std::size_t width = index(cut.width);
+  for (std::size_t i = 0; i < cut.kind.size(); ++i) {
+    const std::size_t u = i % width;
+    const bool below = i + width < cut.kind.size();
+    if (u + 1 < width) join(i, i + 1);
+    if (below) join(i, i + width);
+    if (below && u + 1 < width) join(i, i + width + 1);
+    if (below && u > 0) join(i, i + width - 1);
+  }
+  std::vector<int> pixels(cut.kind.size(), 0);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    if (cut.kind[i] == PixelKind::thing) ++pixels[patches.find(i)];
+  }
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    if (cut.kind[i] != PixelKind::thing || pixels[patches.find(i)] >= kSpeck) continue;
+    cut.kind[i] = PixelKind::beyond;
+    cut.depth[i] = 0.0F;
+    cut.surface[i] = {};
+  }
+}
+
 }  // namespace
 
 std::vector<ObjectView> cut_out(const PreparedViews& prepared, int cluster, bool drop_outliers,
@@ -141,6 +174,7 @@ std::vector<ObjectView> cut_out(const PreparedViews& prepared, int cluster, bool
         cutter.decide(cut, frame, u, frame.top + static_cast<int>(row));
       }
     });
+    if (drop_outliers) drop_specks(cut);
     find_edges(cut);
     cuts.push_back(std::move(cut));
   }

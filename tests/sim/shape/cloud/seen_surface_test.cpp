@@ -60,7 +60,7 @@ TEST(ReadingClusters, JoinWhatIsNear) {
   ReadingClusters clusters(0.01);
   for (int i = 0; i < 100; ++i) clusters.add(Vector3(0.001 * i, 0.0, 0.0));
   for (int i = 0; i < 50; ++i) clusters.add(Vector3(0.15 + 0.001 * i, 0.0, 0.0));
-  clusters.add(Vector3(1.0, 1.0, 1.0));
+  for (int i = 0; i < 2; ++i) clusters.add(Vector3(1.0, 1.0, 1.0));
   clusters.join(5);
   ASSERT_EQ(clusters.count(), 2);
   EXPECT_EQ(clusters.readings(0), 100U);
@@ -70,6 +70,20 @@ TEST(ReadingClusters, JoinWhatIsNear) {
   EXPECT_EQ(clusters.cluster_at(Vector3(0.17, 0.0, 0.0)), 1);
   EXPECT_EQ(clusters.cluster_at(Vector3(1.0, 1.0, 1.0)), -1);
   EXPECT_EQ(clusters.cluster_at(Vector3(0.125, 0.0, 0.0)), -1);
+}
+
+TEST(ReadingClusters, CellsOfASingleReadingJoinNothing) {
+  for (const int each : {1, 2}) {
+    ReadingClusters clusters(0.01);
+    for (int i = 0; i < 100; ++i) clusters.add(Vector3(0.001 * i, 0.0, 0.0));
+    for (int i = 0; i < 50; ++i) clusters.add(Vector3(0.2 + 0.001 * i, 0.0, 0.0));
+    for (int i = 0; i < 10 * each; ++i) {
+      clusters.add(Vector3(0.105 + 0.01 * (i / each), 0.0, 0.0));
+    }
+    clusters.join(5);
+    EXPECT_EQ(clusters.count(), each == 1 ? 2 : 1);
+    EXPECT_EQ(clusters.left_out(), 0);
+  }
 }
 
 TEST(FitAxis, OfHalfACylinder) {
