@@ -1,12 +1,15 @@
 """Tests of what a result shows in a notebook, of learned orders and of decompositions."""
 
 import base64
+import copy
 import html.parser
 import json
 import os
 import pathlib
+import pickle
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -130,6 +133,62 @@ class Loaded(unittest.TestCase):
             file.write_text('{"grasps": []}')
             with self.assertRaisesRegex(prehend.InputError, "names no scene"):
                 planning.load_grasps(file)
+
+
+class Copies(unittest.TestCase):
+    """Pickles have the values of results; copies what C++ keeps as well."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.scene = prehend.load_scene("mug", hand="franka_hand")
+        cls.result = prehend.plan(cls.scene, options=few())
+
+    def assertSame(self, one, two):
+        self.assertEqual(len(one), len(two))
+        self.assertEqual(one.outcomes, two.outcomes)
+        for a, b in zip(one, two):
+            self.assertEqual((a.epsilon, a.outcome, a.rule), (b.epsilon, b.outcome, b.rule))
+            np.testing.assert_array_equal(a.X_OH, b.X_OH)
+            np.testing.assert_array_equal(a.contacts.positions, b.contacts.positions)
+
+    def test_a_pickled_result_has_its_values(self):
+        again = pickle.loads(pickle.dumps(self.result))
+        self.assertSame(again, self.result)
+        np.testing.assert_array_equal(again.poses, self.result.poses)
+        self.assertSame(again.where(lambda g: g.stable), self.result.where(lambda g: g.stable))
+        with self.assertRaisesRegex(prehend.InputError, "unpickled"):
+            files.grasp_picture(again[0])
+        with self.assertRaisesRegex(prehend.InputError, "unpickled"):
+            files.grasps_json(again)
+        with self.assertRaisesRegex(prehend.InputError, "unpickled"):
+            again.scene
+
+    def test_worker_processes_return_results(self):
+        code = (
+            "import pickle, sys, prehend\n"
+            "scene, options = (pickle.load(sys.stdin.buffer) for _ in range(2))\n"
+            "sys.stdout.buffer.write(pickle.dumps(prehend.plan(scene, options=options)))"
+        )
+        sent = pickle.dumps(self.scene) + pickle.dumps(few())
+        run = subprocess.run(
+            [sys.executable, "-c", code], input=sent, capture_output=True, check=True
+        )
+        self.assertSame(pickle.loads(run.stdout), self.result)
+
+    def test_copies_can_do_what_the_original_does(self):
+        for again in (copy.copy(self.result), copy.deepcopy(self.result)):
+            self.assertSame(again, self.result)
+            self.assertEqual(files.grasps_json(again), files.grasps_json(self.result))
+            self.assertEqual(files.grasp_picture(again[0]).shape, (700, 900, 3))
+        apart = copy.deepcopy(self.result[0])
+        self.assertIsNot(apart.X_OH, self.result[0].X_OH)
+
+    def test_a_copied_scene_changes_alone(self):
+        scene = prehend.load_scene("mug_on_table")
+        again = copy.deepcopy(scene)
+        again.add_obstacle("beam", prehend.Mesh(np.eye(3) + 5, np.array([[0, 1, 2]])))
+        self.assertEqual(len(again.obstacles), len(scene.obstacles) + 1)
+        self.assertEqual(pickle.loads(pickle.dumps(again)).obstacles[-1].name, "beam")
 
 
 class Notebook(unittest.TestCase):

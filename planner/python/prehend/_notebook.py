@@ -26,7 +26,7 @@ def _table(rows: Sequence[str]) -> str:
 
 
 def _picture(trial: Trial) -> str:
-    png = _core.png_bytes(_core.grasp_picture(trial._trial, "", _SIZE, None))
+    png = _core.png_bytes(_core.grasp_picture(trial._in_core(), "", _SIZE, None))
     source = base64.b64encode(png).decode("ascii")
     return f'<img alt="The hand at the object" width="{_SIZE[0]}" src="data:image/png;base64,{source}">'
 

@@ -36,12 +36,12 @@ def grasps_json(result: PlanResult) -> str:
 
     Of a scene that was made in code the file can name no scene; Scene.save() gives it one.
     """
-    return _core.grasps_json(result._core).decode("utf-8")
+    return _core.grasps_json(result._in_core()).decode("utf-8")
 
 
 def timings_json(result: PlanResult, threads: int = 0) -> str:
     """The text of timings.json: what each stage took [s], on so many threads."""
-    return _core.timings_json(result._core, threads)
+    return _core.timings_json(result._in_core(), threads)
 
 
 def report_html(
@@ -54,7 +54,7 @@ def report_html(
 
     Wrench spaces are shown for the grasps that were planned with PlanOptions.sections.
     """
-    return _core.report_html(result._core, call_options(threads, None, cancellation))
+    return _core.report_html(result._in_core(), call_options(threads, None, cancellation))
 
 
 def export_formats() -> List[str]:
@@ -68,7 +68,7 @@ def export_files(result: PlanResult, format: str) -> Dict[str, bytes]:
     Raises:
         InputError: that lists the formats for another one.
     """
-    return dict(_core.export_files(result._core, format))
+    return dict(_core.export_files(result._in_core(), format))
 
 
 def _title(grasp: Trial, rank: Optional[int]) -> str:
@@ -106,7 +106,7 @@ def grasp_picture(
     if eye is not None and not np.any(eye):
         raise InputError("must not be zero", field="direction")
     text = _title(grasp, None) if title is None else title
-    return _core.grasp_picture(grasp._trial, text, _checked_size(size), eye)
+    return _core.grasp_picture(grasp._in_core(), text, _checked_size(size), eye)
 
 
 def arm_picture(
@@ -118,7 +118,7 @@ def arm_picture(
         InputError: no arm holds it.
     """
     text = _title(grasp, None) if title is None else title
-    return _core.arm_picture(grasp._trial, text, _checked_size(size))
+    return _core.arm_picture(grasp._in_core(), text, _checked_size(size))
 
 
 def png_bytes(picture: npt.ArrayLike) -> bytes:
@@ -174,7 +174,7 @@ def write_grasps(
         files.update(export_files(result, format))
     if report:
         files["report.html"] = _core.report_html(
-            result._core, call_options(threads, progress, None)
+            result._in_core(), call_options(threads, progress, None)
         )
     if result.grasps and (report if picture is None else picture):
         best = result.grasps[0]
@@ -187,5 +187,5 @@ def write_grasps(
     target.mkdir(parents=True, exist_ok=True)
     for name, content in files.items():
         write_whole(target / name, content)
-    _core.remove_earlier_results(result._core, os.fsdecode(target), list(files))
+    _core.remove_earlier_results(result._in_core(), os.fsdecode(target), list(files))
     return list(files)

@@ -257,7 +257,7 @@ def shake_grasps(
         InputError: for an unknown procedure, and for a hand or an object that cannot be moved.
     """
     core = _core.shake_grasps(
-        result._core,
+        result._in_core(),
         os.fsdecode(procedure),
         rank,
         call_options(threads, progress, cancellation, budget),
@@ -394,7 +394,7 @@ def plan_grasp_path(
     if not grasp.stable:
         raise InputError("does not hold", field="grasp", value=grasp.outcome)
     fields = _core.plan_grasp_path(
-        grasp._trial,
+        grasp._in_core(),
         _core.GraspPathOptions() if options is None else options,
         call_options(1, None, cancellation),
     )

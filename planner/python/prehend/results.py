@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import copy
 from dataclasses import dataclass, field, fields as fields_of
 from functools import cached_property
-from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Type, TypeVar
+from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Type, TypeVar, cast
 
 import numpy as np
 
 from . import _core, _notebook
+from ._errors import InputError
 from ._arrays import FloatArray, IntArray
 from ._core import (
     ContactModel,
@@ -227,12 +229,30 @@ class Trial:
     """
     candidate: Candidate = field(repr=False)
     """What was tried."""
-    _trial: "_core._Trial" = field(repr=False)
+    _trial: Optional["_core._Trial"] = field(repr=False)
 
     @property
     def stable(self) -> bool:
         """Whether the grasp holds."""
         return self.outcome is Outcome.stable
+
+    # A pickle has the values. What C++ keeps for pictures and paths is of one process.
+    def __getstate__(self) -> Dict[str, Any]:
+        return {**self.__dict__, "_trial": None}
+
+    def __copy__(self: Kind) -> Kind:
+        return cast(Kind, _copy(self))
+
+    def __deepcopy__(self: Kind, memo: Dict[int, Any]) -> Kind:
+        return cast(Kind, _deep_copy(self, memo, "_trial"))
+
+    def _in_core(self) -> "_core._Trial":
+        if self._trial is None:
+            raise InputError(
+                "was unpickled, which brings its values alone; try its candidate again with run_trial()",
+                field="grasp",
+            )
+        return self._trial
 
     @classmethod
     def _of(cls: Type[Kind], fields: Dict[str, Any]) -> Kind:
@@ -244,6 +264,21 @@ class Trial:
 
     def _repr_html_(self) -> str:
         return _notebook.trial_html(self)
+
+
+def _copy(value: Any) -> Any:
+    copied = object.__new__(type(value))
+    copied.__dict__.update(value.__dict__)
+    return copied
+
+
+def _deep_copy(value: Any, memo: Dict[int, Any], *shared: str) -> Any:
+    """A deep copy but for the attributes `shared`, which do not change."""
+    copied = _copy(value)
+    memo[id(value)] = copied
+    for name, part in value.__dict__.items():
+        copied.__dict__[name] = part if name in shared else copy.deepcopy(part, memo)
+    return copied
 
 
 def _by_outcome(counts: Dict[str, int]) -> Dict[Outcome, int]:
@@ -607,13 +642,17 @@ class Tried(NamedTuple):
         return Tried(**fields)
 
 
+_UNPICKLED = (
+    "was unpickled, which brings its values alone; keep its scene, or write_grasps() and load_grasps()"
+)
+
+
 class PlanResult:
     """What plan() and evaluate() return. A sequence of its grasps: len(result), result[0], ..."""
 
     def __init__(self, core: "_core._PlanResult", scene: "_core.CompiledScene") -> None:
-        self._core = core
-        self.scene: "_core.CompiledScene" = scene
-        """What was planned for."""
+        self._core: Optional["_core._PlanResult"] = core
+        self._scene: Optional["_core.CompiledScene"] = scene
         fields = core.fields()
         self.grasps: List[Grasp] = [Grasp._of(core.grasp(i)) for i in range(fields["count"])]
         """plan(): best first; evaluate(): as given."""
@@ -675,10 +714,43 @@ class PlanResult:
         best = f", best epsilon {self.grasps[0].epsilon:.4f}" if self.grasps else ""
         return f"<prehend.PlanResult, {self.status}: {len(self)} grasps of {sum(self.outcomes.values())} tried{best}>"
 
+    @property
+    def scene(self) -> "_core.CompiledScene":
+        """What was planned for.
+
+        Raises:
+            InputError: the result was unpickled.
+        """
+        if self._scene is None:
+            raise InputError(_UNPICKLED, field="result")
+        return self._scene
+
+    def _in_core(self) -> "_core._PlanResult":
+        if self._core is None:
+            raise InputError(_UNPICKLED, field="result")
+        return self._core
+
+    # As of Trial.
+    def __getstate__(self) -> Dict[str, Any]:
+        return {**self.__dict__, "_core": None, "_scene": None}
+
+    def __copy__(self) -> "PlanResult":
+        return cast(PlanResult, _copy(self))
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> "PlanResult":
+        return cast(PlanResult, _deep_copy(self, memo, "_core", "_scene"))
+
     def where(self, keep: Callable[[Grasp], object]) -> "PlanResult":
         """A result that has only the grasps for which `keep` is true, in the same order."""
         kept = [i for i, grasp in enumerate(self.grasps) if keep(grasp)]
-        return PlanResult(_core.with_grasps(self._core, kept), self.scene)
+        if self._core is not None:
+            return PlanResult(_core.with_grasps(self._core, kept), self.scene)
+        fewer: PlanResult = _copy(self)
+        for name, value in vars(PlanResult).items():
+            if isinstance(value, cached_property):
+                fewer.__dict__.pop(name, None)
+        fewer.grasps = [self.grasps[i] for i in kept]
+        return fewer
 
     def _repr_html_(self) -> str:
         return _notebook.plan_html(self)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Union
+import tempfile
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -103,6 +104,18 @@ class Scene:
 
     def __init__(self, core: "_core._Scene") -> None:
         self._core = core
+
+    # By the text of its file, which names meshes and robots that came from files.
+    def __reduce__(self) -> Tuple[Callable[[str], Scene], Tuple[str]]:
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "scene.json")
+            self.save(file)
+            with open(file, encoding="utf-8") as stream:
+                return _scene_of_text, (stream.read(),)
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> Scene:
+        make, (text,) = self.__reduce__()
+        return make(text)
 
     @property
     def name(self) -> str:
@@ -232,6 +245,14 @@ class Scene:
             f"<prehend.Scene {self.name}: {len(self.object.faces)} triangles, hand "
             f"{self.hand.name}{carried}, {len(self.obstacles)} obstacles>"
         )
+
+
+def _scene_of_text(text: str) -> Scene:
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "scene.json")
+        with open(file, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        return load_scene(file)
 
 
 def load_scene(
