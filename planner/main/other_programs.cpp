@@ -13,7 +13,8 @@
 namespace prehend {
 namespace {
 
-constexpr std::array kOtherCommands{kStudio, kServe, kMcp, kReplay, kBatch, kLearn, kTruth};
+constexpr std::array kOtherCommands{kStudio, kServe, kMcp,   kReplay,
+                                    kBatch,  kLearn, kTruth, kDesign};
 
 }  // namespace
 

@@ -30,6 +30,9 @@ inline constexpr OtherCommand kLearn{"learn", "learn from data sets what to try 
 inline constexpr OtherCommand kTruth{"truth", "compare scores with executed grasps",
                                      "prehend-bulk"};
 
+inline constexpr OtherCommand kDesign{"design", "vary a measure of a hand and see what it grasps",
+                                      "prehend-bulk"};
+
 // Declares the commands of the other programs, for the help and for what is said of unknown
 // commands.
 void add_other_commands(CLI::App& app);

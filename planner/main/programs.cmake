@@ -19,5 +19,5 @@ function(prehend_other_program name folder)
 endfunction()
 prehend_other_program(prehend-live planner/main/live prehend_protocol prehend_serve prehend_studio)
 prehend_other_program(prehend-bulk planner/main/bulk
-  prehend_batch prehend_cluster prehend_train prehend_truth)
+  prehend_batch prehend_cluster prehend_design prehend_train prehend_truth)
 add_custom_target(programs DEPENDS ${prehend_programs})

@@ -7,6 +7,7 @@ void add_commands(CLI::App& app, prehend::CommandRequest& request) {
   prehend::add_batch(app, request);
   prehend::add_learn(app, request);
   prehend::add_validate(app, request);
+  prehend::add_design(app, request);
 }
 
 }  // namespace
