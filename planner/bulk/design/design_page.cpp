@@ -114,8 +114,8 @@ class DesignPlot {
     return formatted("<path class=\"line\" stroke=\"%s\" d=\"%s\"/>\n", color.c_str(),
                      path.c_str()) +
            dots +
-           formatted("<text x=\"%.1f\" y=\"%.1f\" font-size=\"12\" fill=\"%s\">",
-                     kWidth - kRight + 8.0, last + 4.0, color.c_str()) +
+           formatted(R"(<text x="%.1f" y="%.1f" font-size="12" fill="%s">)", kWidth - kRight + 8.0,
+                     last + 4.0, color.c_str()) +
            markup_text(object) + "</text>\n";
   }
 
