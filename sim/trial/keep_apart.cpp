@@ -34,20 +34,25 @@ bool comes_near(const PlacedBody& body, const CompiledLink& link, const Pose& X_
 std::optional<HandContact> too_near(const CompiledScene& scene, const HandWay& way,
                                     HandCollisionWorkspace& workspace) {
   const std::vector<StaticBody>& obstacles = scene.scene.obstacles;
-  const Robot& hand = scene.scene.hand;
+  if (std::all_of(obstacles.begin(), obstacles.end(),
+                  [](const StaticBody& body) { return body.apart <= 0.0; })) {
+    return std::nullopt;
+  }
+  RobotPoses& closed = workspace.poses;
+  RobotPoses open;
+  robot_poses(scene.scene.hand, way.closed_joints, closed);
+  robot_poses(scene.scene.hand, way.open_joints, open);
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     const double apart = obstacles[i].apart;
     if (apart <= 0.0) continue;
     const BodyId id = BodyId::obstacle(static_cast<int>(i));
     const PlacedBody& body = scene.body(id);
     for (std::size_t l = 0; l < scene.links.size(); ++l) {
-      robot_poses(hand, way.closed_joints, workspace.poses);
-      bool near = gap(body, scene.links[l], way.X_OH * workspace.poses.X_BL[l]) < apart;
-      if (!near) {
-        robot_poses(hand, way.open_joints, workspace.poses);
-        near = comes_near(body, scene.links[l], workspace.poses.X_BL[l], way, apart);
+      const CompiledLink& link = scene.links[l];
+      if (gap(body, link, way.X_OH * closed.X_BL[l]) < apart ||
+          comes_near(body, link, open.X_BL[l], way, apart)) {
+        return HandContact{link_id(l), id};
       }
-      if (near) return HandContact{link_id(l), id};
     }
   }
   return std::nullopt;

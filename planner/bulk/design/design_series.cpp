@@ -24,7 +24,6 @@ DesignPoint planned(Scene scene, const PlanOptions& options, const RunContext& c
   DesignPoint point{.object = scene.object.name, .opening = largest_opening(scene.hand)};
   const PlanResult result = plan(compile(std::move(scene), context), options, context);
   if (result.status == PlanStatus::cancelled) throw Cancelled();
-  if (!result.grasps.empty()) point.epsilon = result.grasps.front().trial.epsilon.lower;
   for (const ScoredGrasp& grasp : result.grasps) {
     point.epsilon = std::max(point.epsilon, grasp.trial.epsilon.lower);
   }

@@ -23,7 +23,7 @@ double behind_reading(const DepthView& view, const Vector3& p_W) {
   const std::size_t pixel =
       static_cast<std::size_t>(v) * index(camera.width) + static_cast<std::size_t>(u);
   const auto depth = static_cast<double>(view.depth[pixel]);
-  return depth > 0.0 ? p_C.z() - depth : std::nan("");
+  return std::isfinite(depth) && depth > 0.0 ? p_C.z() - depth : std::nan("");
 }
 
 }  // namespace

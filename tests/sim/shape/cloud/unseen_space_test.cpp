@@ -2,6 +2,7 @@
 #include "sim/shape/cloud/unseen_space.h"
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -35,8 +36,12 @@ TEST(UnseenSpace, WhereNoCameraLooksNothingIsSaid) {
 }
 
 TEST(UnseenSpace, PixelsWithoutReadingSayNothing) {
-  const UnseenSpace space({wall_seen_from({-1.0, 0.0, 0.0}, 0.0F)});
-  EXPECT_FALSE(space.contains({0.5, 0.0, 0.0}));
+  const DepthView wall = wall_seen_from({-1.0, 0.0, 0.0}, 0.8F);
+  for (const float none : {0.0F, std::numeric_limits<float>::infinity()}) {
+    const DepthView nothing = wall_seen_from({0.0, -1.0, 0.0}, none);
+    EXPECT_FALSE(UnseenSpace({nothing}).contains({0.1, 0.1, 0.0}));
+    EXPECT_TRUE(UnseenSpace({wall, nothing}).contains({0.1, 0.1, 0.0}));
+  }
 }
 
 TEST(UnseenSpace, OneViewThatSeesFarEnoughIsEnough) {
