@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "sim/base/index.h"
+#include "sim/robot/joint_course.h"
 
 namespace prehend {
 namespace {
@@ -26,16 +29,6 @@ bool stands_before(const Robot& robot, int k, int j) {
   return false;
 }
 
-// The first joint of the finger that joint j belongs to: the one farthest towards the base that the
-// same degree of freedom drives.
-int finger_of(const Robot& robot, int j) {
-  int first = j;
-  for (int p = robot.joints[index(j)].parent; p >= 0; p = robot.joints[index(p)].parent) {
-    if (robot.joints[index(p)].dof == robot.joints[index(j)].dof) first = p;
-  }
-  return first;
-}
-
 std::vector<int> joints_of_dof(const Robot& robot, int dof) {
   std::vector<int> joints;
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
@@ -49,6 +42,7 @@ std::vector<int> joints_of_dof(const Robot& robot, int dof) {
 // one clutch each.
 std::vector<Clutch> places_of_clutches(const Robot& robot) {
   std::vector<Clutch> clutches;
+  const std::vector<int> first_joint = first_joints_of_fingers(robot);
   for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
     const int dof = static_cast<int>(d);
     const std::vector<int> joints = joints_of_dof(robot, dof);
@@ -62,14 +56,18 @@ std::vector<Clutch> places_of_clutches(const Robot& robot) {
       }
     }
     if (robot.dofs[d].coupling == Coupling::by_finger) {
-      for (const int first : joints) {
-        if (finger_of(robot, first) != first) continue;
-        Clutch clutch{.dof = dof, .joints = {}};
-        for (const int j : joints) {
-          if (finger_of(robot, j) == first) clutch.joints.push_back(j);
-        }
-        clutches.push_back(std::move(clutch));
+      std::map<int, Clutch> of_finger;  // by its first joint
+      for (const int j : joints) {
+        Clutch& clutch = of_finger[first_joint[index(j)]];
+        clutch.dof = dof;
+        clutch.joints.push_back(j);
       }
+      for (auto& [first, clutch] : of_finger) clutches.push_back(std::move(clutch));
+    }
+    for (const int j : joints) {
+      if (!gives_way(robot, j)) continue;
+      const double closes = robot.dofs[d].closing_velocity < 0.0 ? -1.0 : 1.0;
+      clutches.push_back({.dof = dof, .joints = {j}, .stays_behind = closes});
     }
   }
   return clutches;
@@ -79,12 +77,14 @@ std::vector<Clutch> places_of_clutches(const Robot& robot) {
 
 Eigen::VectorXd joints_of_slip(const Robot& robot, const Clutch& clutch) {
   Eigen::VectorXd column = Eigen::VectorXd::Zero(std::ssize(robot.joints));
+  const auto has = [&](int joint) {
+    return std::find(clutch.joints.begin(), clutch.joints.end(), joint) != clutch.joints.end();
+  };
   for (const int k : clutch.joints) column[k] = robot.joints[index(k)].ratio;
-  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-    const int across = robot.joints[j].across;
-    if (std::find(clutch.joints.begin(), clutch.joints.end(), across) == clutch.joints.end())
-      continue;
-    column[static_cast<Eigen::Index>(j)] -= robot.joints[index(across)].ratio;
+  for (int j = 0; j < static_cast<int>(robot.joints.size()); ++j) {
+    const Joint& joint = robot.joints[index(j)];
+    if (!has(joint.across) || has(j)) continue;
+    column[j] -= joint.ahead * robot.joints[index(joint.across)].ratio;
   }
   return column;
 }
@@ -101,8 +101,10 @@ std::vector<Clutch> clutches_of(const Robot& robot, const Eigen::VectorXd& effor
   std::vector<Clutch> clutches = places_of_clutches(robot);
   for (Clutch& clutch : clutches) {
     const DegreeOfFreedom& dof = robot.dofs[index(clutch.dof)];
-    const auto fingers = std::count_if(clutches.begin(), clutches.end(),
-                                       [&](const Clutch& c) { return c.dof == clutch.dof; });
+    if (clutch.stays_behind != 0.0) continue;
+    const auto fingers = std::count_if(clutches.begin(), clutches.end(), [&](const Clutch& c) {
+      return c.dof == clutch.dof && c.stays_behind == 0.0;
+    });
     const double part =
         dof.coupling == Coupling::by_finger ? 1.0 / static_cast<double>(fingers) : kClutchPart;
     const double drive = efforts[clutch.dof];

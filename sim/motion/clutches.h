@@ -9,8 +9,8 @@
 
 namespace prehend {
 
-// A clutch between a degree of freedom and some of its joints (all of one finger, or a single
-// joint): they may slip against their drive where the clutch bears no more.
+// A clutch, or what acts like one, between a degree of freedom and some of its joints (all of one
+// finger, or a single joint): they may slip against their drive where the clutch bears no more.
 struct Clutch {
   int dof = 0;
   std::vector<int> joints;
@@ -22,10 +22,14 @@ struct Clutch {
   // gear and contact could press on each other with any force [N m or N, N m/rad or N/m].
   double gear_effort = 0.0;
   double gear_stiffness = 0.0;
+  // No clutch but a linkage that closes further when its joint is stopped (gives_way): in units of
+  // the degree of freedom, the direction in which it closes (1 or -1), in which a stop keeps its
+  // joint from going ahead; else 0.
+  double stays_behind = 0.0;
 };
 
 // By how much each joint moves in a unit of the clutch's slip [-, or rad/m]: the joints of the
-// clutch by their ratios, and those whose drives pass them (Joint::across) back by the same.
+// clutch by their ratios, and those beyond whose drives pass them (Joint::across) back.
 Eigen::VectorXd joints_of_slip(const Robot& robot, const Clutch& clutch);
 
 // The largest effort of each degree of freedom: what its joints may bear at most, each through its

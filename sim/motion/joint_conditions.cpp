@@ -68,8 +68,15 @@ class JointConditions {
       ++place_;
     }
     for (std::size_t c = 0; c < model_.clutches.size(); ++c, ++place_) {
-      const int slip = static_cast<int>(model_.dofs()) + static_cast<int>(c);
-      add_dry(unit_row(first_ + slip), model_.clutches[c].effort);
+      const Clutch& clutch = model_.clutches[c];
+      const Index slip = model_.dofs() + static_cast<Index>(c);
+      if (clutch.stays_behind != 0.0) {
+        const double behind = -clutch.stays_behind;
+        add_stop(scaled_row(static_cast<int>(slip), behind), behind * robot_.x[slip],
+                 robot_.rate[slip]);
+      } else {
+        add_dry(unit_row(first_ + static_cast<int>(slip)), clutch.effort);
+      }
     }
     const Eigen::VectorXd q = joints_of(robot_);
     for (std::size_t c = 0; c < model_.clutches.size(); ++c, ++place_) {
@@ -92,6 +99,10 @@ class JointConditions {
  private:
   JacobianBlock row_of(Index joint, double sign) const {
     return row_on(first_, sign * model_.joints_of.row(joint));
+  }
+
+  JacobianBlock scaled_row(int velocity, double sign) const {
+    return row_on(first_ + velocity, Eigen::RowVectorXd::Constant(1, sign));
   }
 
   double stop_of(std::size_t clutch, const Eigen::VectorXd& q) const {
@@ -120,12 +131,16 @@ class JointConditions {
     add(std::move(condition));
   }
 
-  // `room`: what is left to the limit. One that is passed, as postures from files may be, is a stop
-  // where the joint is.
   void add_limit(Index joint, double sign, double room, double rate) {
+    add_stop(row_of(joint, sign), room, rate);
+  }
+
+  // `room`: what is left to the stop. One that is passed, as postures from files may be, is where
+  // the joint is.
+  void add_stop(JacobianBlock row, double room, double rate) {
     constexpr double kNear = 0.05;  // [rad or m]: steps that speed up do not pass this far
     if (room > kNear + 2.0 * time_ * std::abs(rate)) return;
-    ContactCondition condition = condition_on(row_of(joint, sign));
+    ContactCondition condition = condition_on(std::move(row));
     condition.offset[0] = std::max(room, 0.0) / time_;
     add(std::move(condition));
   }

@@ -53,12 +53,13 @@ struct Joint {
   // What the driver of the real robot calls it ("panda_joint1"); empty: as `name`.
   std::string driver_name = {};
   int dof = 0;         // the degree of freedom that drives it
-  double ratio = 1.0;  // value = ratio * dof + offset
+  double ratio = 1.0;  // value = ratio * dof + offset; 0 only with `across`
   double offset = 0.0;
-  // A joint before it, of the same degree of freedom, that its drive passes by cables or gears
-  // which begin before that joint; -1: none. What a clutch lets that one fall behind this one goes
-  // ahead.
+  // Another joint of the same degree of freedom that its drive passes, by cables or gears which
+  // begin before that joint or by the bars of a linkage; -1: none. For what contact or a clutch
+  // makes that one fall behind, `ahead` times as much is added to this one.
   int across = -1;
+  double ahead = 1.0;
   int parent = -1;          // the joint before it towards the base, -1: none; parents stand first
   int chain = 0;            // the chain that it is part of
   double max_effort = 0.0;  // largest torque or force of its drive, 0: not said [N m or N]
@@ -88,8 +89,8 @@ struct Chain {
 enum class Coupling {
   rigid,           // all stop
   breakaway,       // the stopped joint stays, the others go on
-  by_finger,       // all joints of the stopped finger stay, those of the other fingers go on; the
-                   // joints of a finger are those behind the same first joint
+  by_finger,       // all joints of the stopped finger stay, those of the other fingers go on
+                   // (joint_course.h: what a finger is, and linkages that close further)
   self_centering,  // two opposed prismatic fingers on one body: the other goes on until it touches
                    // too, and the hand (or the object) gives way sideways until both values are
                    // equal again

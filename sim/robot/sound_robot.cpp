@@ -107,7 +107,10 @@ void require_numbers(const std::string& place, const Joint& joint) {
   numbers.require("zero", kCoordinate, joint.zero);
   numbers.require("lower limit", kCoordinate, joint.lower);
   numbers.require("upper limit", kCoordinate, joint.upper);
-  numbers.require("size of the ratio", kRatioSize, std::abs(joint.ratio));
+  if (joint.ratio != 0.0 || joint.across < 0) {
+    numbers.require("size of the ratio", kRatioSize, std::abs(joint.ratio));
+  }
+  numbers.require("ahead", kCoordinate, joint.ahead);
   numbers.require("offset", kCoordinate, joint.offset);
   numbers.require("effort", kEffort, joint.max_effort);
   numbers.require("friction", kEffort, joint.friction.coulomb);

@@ -9,12 +9,6 @@
 namespace prehend {
 namespace {
 
-// The joint at the root of the finger that the joint belongs to.
-int first_joint_of_finger(const Robot& hand, int joint) {
-  while (hand.joints[index(joint)].parent >= 0) joint = hand.joints[index(joint)].parent;
-  return joint;
-}
-
 // Axes that are parallel up to this sine turn each other by next to nothing.
 constexpr double kParallel = 1e-9;
 
@@ -49,38 +43,28 @@ double TravelBound::time_for(double distance) const {
 void ClosingMotion::start(const Robot& hand, const std::vector<double>& dofs,
                           const std::vector<double>& joints) {
   hand_ = &hand;
-  if (joints.empty()) {
-    joint_values(hand, dofs, start_);
-  } else {
-    start_ = joints;
+  closing_.clear();
+  for (const DegreeOfFreedom& dof : hand.dofs) {
+    closing_.push_back({dof.closing_velocity, dof.closing_velocity > 0.0 ? dof.upper : dof.lower});
   }
-  velocity_.assign(hand.joints.size(), 0.0);
-  until_.assign(hand.joints.size(), 0.0);
-  by_contact_.assign(hand.joints.size(), false);
-  for (std::size_t j = 0; j < hand.joints.size(); ++j) {
-    const DegreeOfFreedom& dof = hand.dofs[index(hand.joints[j].dof)];
-    const double from = dofs[index(hand.joints[j].dof)];
-    const double v = dof.closing_velocity;
-    if (v == 0.0) continue;
-    velocity_[j] = hand.joints[j].ratio * v;
-    until_[j] = std::max(0.0, ((v > 0.0 ? dof.upper : dof.lower) - from) / v);
-  }
+  course_.start(hand, dofs, closing_, joints);
   find_axes();
 }
 
 // The axes of a finger whose joints are all parallel keep their directions while it closes.
 void ClosingMotion::find_axes() {
-  joint_poses(*hand_, start_, X_HJ_);
-  placed_.assign(start_.size(), {std::numeric_limits<double>::quiet_NaN(), Pose::Identity()});
-  axis_H_.resize(start_.size());
-  keeps_axis_.assign(start_.size(), true);
-  for (std::size_t j = 0; j < start_.size(); ++j) {
+  const std::size_t count = hand_->joints.size();
+  joint_poses(*hand_, course_.at_start(), X_HJ_);
+  placed_.assign(count, {std::numeric_limits<double>::quiet_NaN(), Pose::Identity()});
+  axis_H_.resize(count);
+  keeps_axis_.assign(count, true);
+  for (std::size_t j = 0; j < count; ++j) {
     const Joint& joint = hand_->joints[j];
     axis_H_[j] = joint.X_PJ.linear() * joint.axis;
     if (joint.parent >= 0) axis_H_[j] = X_HJ_[index(joint.parent)].linear() * axis_H_[j];
     for (int before = joint.parent; before >= 0; before = hand_->joints[index(before)].parent) {
       const std::size_t b = index(before);
-      if (hand_->joints[b].type != JointType::revolute || velocity_[b] == 0.0) continue;
+      if (hand_->joints[b].type != JointType::revolute || !course_.moves(before, 0.0)) continue;
       if (axis_H_[j].cross(axis_H_[b]).norm() > kParallel) keeps_axis_[j] = false;
     }
   }
@@ -89,14 +73,14 @@ void ClosingMotion::find_axes() {
 double ClosingMotion::speed(const CompiledLink& link, double t) const {
   double sum = 0.0;
   for (std::size_t k = 0; k < link.joints.size(); ++k) {
-    if (moves(link.joints[k], t)) sum += std::abs(velocity_[index(link.joints[k])]) * link.reach[k];
+    sum += course_.speed(link.joints[k], t) * link.reach[k];
   }
   return sum;
 }
 
 const Pose& ClosingMotion::placed(std::size_t joint, double t) {
   PlacedJoint& placed = placed_[joint];
-  const double value = value_at(joint, t);
+  const double value = course_.value(static_cast<int>(joint), t);
   if (value != placed.value) {
     placed.value = value;
     placed.X_PA = hand_->joints[joint].X_PJ * across(hand_->joints[joint], value);
@@ -125,12 +109,12 @@ TravelBound ClosingMotion::travel_along(const CompiledLink& link, const ConvexPo
   double turning = 0.0;  // of the joints so far: the sum of |v| times the part of e across the axis
   bool is_steady = true;
   for (std::size_t k = 0; k < link.joints.size(); ++k) {
-    if (!moves(link.joints[k], t)) continue;
+    if (!course_.moves(link.joints[k], t)) continue;
     const std::size_t j = index(link.joints[k]);
-    const double v = velocity_[j];
-    const double speed = std::abs(v) * link.reach[k];
+    const double v = course_.velocity(link.joints[k], t);
+    const double speed = course_.speed(link.joints[k], t) * link.reach[k];
     bound.growth += 2.0 * turning * speed;
-    if (!keeps_axis_[j]) {
+    if (!keeps_axis_[j] || course_.may_turn(link.joints[k], t)) {
       is_steady = false;
       bound.steady += speed;
     } else if (hand_->joints[j].type == JointType::prismatic) {
@@ -153,69 +137,37 @@ TravelBound ClosingMotion::travel_along(const CompiledLink& link, const ConvexPo
 double ClosingMotion::farthest(const CompiledLink& link) const {
   double sum = 0.0;
   for (std::size_t k = 0; k < link.joints.size(); ++k) {
-    const std::size_t j = index(link.joints[k]);
-    const int dof = hand_->joints[j].dof;
+    const int j = link.joints[k];
+    const int dof = hand_->joints[index(j)].dof;
     double way = 0.0;
-    for (std::size_t other = 0; other < hand_->joints.size(); ++other) {
-      if (other == j || (hand_->joints[other].dof == dof &&
+    for (int other = 0; other < static_cast<int>(hand_->joints.size()); ++other) {
+      if (other == j || (hand_->joints[index(other)].dof == dof &&
                          hand_->dofs[index(dof)].coupling == Coupling::self_centering)) {
-        way += until_[other];
+        way += course_.until(other);
       }
     }
-    sum += std::abs(velocity_[j]) * way * link.reach[k];
+    sum += course_.speed(j, 0.0) * way * link.reach[k];
   }
   return sum;
 }
 
-void ClosingMotion::stop_before(const CompiledLink& link, double t) {
-  for (int joint : link.joints) {
-    if (!moves(joint, t)) continue;
-    stop(joint, t);
-    const int dof = hand_->joints[index(joint)].dof;
-    const Coupling coupling = hand_->dofs[index(dof)].coupling;
-    if (coupling != Coupling::rigid && coupling != Coupling::by_finger) continue;
-    const int finger = first_joint_of_finger(*hand_, joint);
-    for (std::size_t other = 0; other < hand_->joints.size(); ++other) {
-      const auto o = static_cast<int>(other);
-      if (hand_->joints[other].dof != dof) continue;
-      if (coupling == Coupling::rigid || first_joint_of_finger(*hand_, o) == finger) stop(o, t);
-    }
-  }
-}
-
-double ClosingMotion::end() const {
-  return until_.empty() ? 0.0 : *std::max_element(until_.begin(), until_.end());
-}
-
 void ClosingMotion::joints_at(double t, std::vector<double>& joints) const {
-  joints.resize(start_.size());
-  for (std::size_t j = 0; j < start_.size(); ++j) {
-    joints[j] = value_at(j, t);
+  joints.resize(hand_->joints.size());
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    joints[j] = course_.value(static_cast<int>(j), t);
   }
 }
 
 void ClosingMotion::move_to_end(std::vector<double>& dofs) const {
   for (std::size_t d = 0; d < dofs.size(); ++d) {
+    if (closing_[d].velocity == 0.0) continue;
     double longest = 0.0;
     for (std::size_t j = 0; j < hand_->joints.size(); ++j) {
-      if (index(hand_->joints[j].dof) == d && velocity_[j] != 0.0)
-        longest = std::max(longest, until_[j]);
+      if (index(hand_->joints[j].dof) == d) {
+        longest = std::max(longest, course_.until(static_cast<int>(j)));
+      }
     }
-    dofs[d] += hand_->dofs[d].closing_velocity * longest;
-  }
-}
-
-void ClosingMotion::stop(int joint, double t) {
-  if (!moves(joint, t)) return;
-  const double unused = until_[index(joint)] - t;
-  until_[index(joint)] = t;
-  by_contact_[index(joint)] = true;
-  const int dof = hand_->joints[index(joint)].dof;
-  if (hand_->dofs[index(dof)].coupling != Coupling::self_centering) return;
-  // Centring (center_hand) sets both joints to their mean. So the other finger may pass its limit
-  // by what this one leaves unused, and the mean is still inside the limits.
-  for (std::size_t other = 0; other < hand_->joints.size(); ++other) {
-    if (hand_->joints[other].dof == dof && !by_contact_[other]) until_[other] += unused;
+    dofs[d] += closing_[d].velocity * longest;
   }
 }
 

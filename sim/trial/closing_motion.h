@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/base/index.h"
+#include "sim/robot/joint_course.h"
 #include "sim/robot/robot.h"
 #include "sim/scene/compiled_link.h"
 
@@ -30,17 +31,12 @@ struct ClosingLink {
   std::vector<Vector3> on_axis_H;  // for each of CompiledLink::joints, a point of its axis
 };
 
-// Joint motion over the closing time t [s]: joint j is at start + velocity * min(t, until), where
-// `until` is the time at which it reaches its limit or was stopped by contact.
+// Where the links of a closing hand are over the closing time t [s], and bounds of their speeds.
 class ClosingMotion {
  public:
   // To be called before anything else; keeps the memory that it has. `dofs` and `joints`: as in
   // ClosingStart. The hand must outlive the motion.
   void start(const Robot& hand, const std::vector<double>& dofs, const std::vector<double>& joints);
-
-  bool moves(int joint, double t) const {
-    return velocity_[index(joint)] != 0.0 && t < until_[index(joint)];
-  }
 
   // Bound on the speed of any point of the link relative to the palm from time t on [m/s]: the sum
   // over the moving joints before it of |velocity| * (farthest point from the joint's axis).
@@ -55,13 +51,11 @@ class ClosingMotion {
   // its limit by as much as the other one was stopped short of it, which is at most its whole way.
   double farthest(const CompiledLink& link) const;
 
-  // Stops all joints between the palm and the link, since each of them would press the link into
-  // what it touches. A rigid degree of freedom then cannot move at all: its other joints, which may
-  // belong to other fingers, stop too; of one that is coupled by finger those of the same finger.
-  void stop_before(const CompiledLink& link, double t);
+  // Stops what must stop when the link touches (JointCourse).
+  void stop_before(const CompiledLink& link, double t) { course_.stop_before(link.joints, t); }
 
   // When the last joint comes to rest.
-  double end() const;
+  double end() const { return course_.end(); }
 
   // The link at time t; `placed` keeps its memory. Joints that have not moved since they were
   // placed last are remembered.
@@ -75,7 +69,7 @@ class ClosingMotion {
   // (breakaway).
   void move_to_end(std::vector<double>& dofs) const;
 
-  const std::vector<bool>& stopped_by_contact() const { return by_contact_; }
+  const std::vector<bool>& stopped_by_contact() const { return course_.stopped_by_contact(); }
 
  private:
   // The frame A behind a joint in the frame P before it, at some value of the joint.
@@ -85,17 +79,11 @@ class ClosingMotion {
   };
 
   const Pose& placed(std::size_t joint, double t);
-  void stop(int joint, double t);
   void find_axes();
-  double value_at(std::size_t joint, double t) const {
-    return start_[joint] + velocity_[joint] * std::min(t, until_[joint]);
-  }
 
   const Robot* hand_ = nullptr;
-  std::vector<double> start_;
-  std::vector<double> velocity_;
-  std::vector<double> until_;
-  std::vector<bool> by_contact_;
+  JointCourse course_;
+  std::vector<DofCourse> closing_;
   std::vector<PlacedJoint> placed_;
   std::vector<Pose> X_HJ_;        // at the start
   std::vector<Vector3> axis_H_;   // of each joint, at the start

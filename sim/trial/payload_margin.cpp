@@ -70,7 +70,9 @@ DriveLoads drive_loads(const Robot& hand) {
       if (hand.joints[j].dof == d) rest[static_cast<Eigen::Index>(j)] = hand.joints[j].ratio;
     }
     for (const Clutch& clutch : clutches) {
-      if (clutch.dof != d) continue;
+      // The stop of a linkage takes what pushes its joint ahead; what pushes it back is not limited
+      // here, where limits are the same for both signs.
+      if (clutch.dof != d || clutch.stays_behind != 0.0) continue;
       own.push_back(clutch);
       behind.push_back(joints_of_slip(hand, clutch));
       rest -= behind.back();

@@ -35,6 +35,10 @@ std::vector<bool> reached_from(const JointTree& tree, int root) {
 Mimic followed(const JointTree& tree, int at) {
   const TreeJoint& own = tree.joints[index(at)];
   Mimic total{.joint = at};
+  if (own.mimic) {
+    total.across = own.mimic->across;
+    total.ahead = own.mimic->ahead;
+  }
   for (std::size_t step = 0; tree.joints[index(total.joint)].mimic; ++step) {
     const Mimic& next = *tree.joints[index(total.joint)].mimic;
     if (step > tree.joints.size())
@@ -44,7 +48,8 @@ Mimic followed(const JointTree& tree, int at) {
     total.ratio *= next.ratio;
     total.joint = next.joint;
   }
-  if (!kRatioSize.contains(std::abs(total.ratio))) {
+  const bool rests = total.ratio == 0.0 && total.across >= 0;
+  if (!rests && !kRatioSize.contains(std::abs(total.ratio))) {
     fail_at(tree, own.place, "the size of its multiplier " + kRatioSize.words(), own.name);
   }
   if (!kCoordinate.contains(total.offset)) {

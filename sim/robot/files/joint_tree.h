@@ -22,11 +22,14 @@ struct TreeLink {
 
 enum class TreeJointType { fixed, revolute, prismatic };
 
-// value = ratio * (value of the other joint) + offset.
+// value = ratio * (value of the other joint) + offset, and of a linkage Joint::across, a joint of
+// the tree, and Joint::ahead.
 struct Mimic {
   int joint = -1;
   double ratio = 1.0;
   double offset = 0.0;  // rad or m
+  int across = -1;
+  double ahead = 1.0;
 };
 
 // Joins a link L to its child link C: X_LC = X_LJ * motion(axis, value).

@@ -121,6 +121,8 @@ struct Line {
   double slope = 0.0;
   double offset = 0.0;
   double miss = 0.0;
+
+  double at(double x) const { return offset + slope * x; }
 };
 
 Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
@@ -139,7 +141,7 @@ Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
   line.slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
   line.offset = (sy - line.slope * sx) / n;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    line.miss = std::max(line.miss, std::abs(line.offset + line.slope * x[i] - y[i]));
+    line.miss = std::max(line.miss, std::abs(line.at(x[i]) - y[i]));
   }
   return line;
 }
@@ -150,11 +152,26 @@ struct Course {
   std::vector<std::vector<double>> followers;
 };
 
-void follow_line(int drive, const std::vector<double>& values, const Course& course, int follower,
-                 JointTree& tree) {
+Line line_of(const Course& course, std::size_t follower) {
+  return line_through(course.drive, course.followers[follower]);
+}
+
+// How a linkage closes further when one of its joints is stopped while the drive goes on.
+struct GivingWay {
+  int joint = -1;             // that is stopped, of the tree; -1: the loop leaves no freedom
+  std::vector<double> ahead;  // of each follower, as Joint::ahead; 0: it does not move by that
+  double miss = 0.0;          // of the straight lines [rad or m]
+};
+
+// Joints become followers of the drive. `values`: of the follower over the course.
+void follow_line(int drive, const Course& course, std::size_t at, int follower,
+                 const GivingWay& way, JointTree& tree) {
   TreeJoint& joint = tree.joints[index(follower)];
+  const std::vector<double>& values = course.followers[at];
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  if (*most - *least < kStill) {
+  const bool still = *most - *least < kStill;
+  const double ahead = way.joint >= 0 && follower != way.joint ? way.ahead[at] : 0.0;
+  if (still && ahead == 0.0) {
     const double value = 0.5 * (*least + *most);
     joint.X_LJ = joint.X_LJ * motion(joint, value);
     joint.type = TreeJointType::fixed;
@@ -162,16 +179,98 @@ void follow_line(int drive, const std::vector<double>& values, const Course& cou
                          " hardly moves in its closed loop: taken as fixed");
     return;
   }
-  const Line line = line_through(course.drive, values);
+  Line line = line_of(course, at);
+  if (still) line = {.slope = 0.0, .offset = 0.5 * (*least + *most), .miss = *most - *least};
   joint.mimic = Mimic{drive, line.slope, line.offset};
-  joint.lower = std::min(*least, *most) - 2.0 * line.miss;
-  joint.upper = std::max(*least, *most) + 2.0 * line.miss;
   joint.initial.reset();
-  joint.spring = {};
-  tree.notes.push_back(
-      formatted("joint %s follows %s in a closed loop: taken as linear, off by at "
-                "most %.2g rad or m",
-                joint.name.c_str(), tree.joints[index(drive)].name.c_str(), line.miss));
+  const std::string& leader = tree.joints[index(drive)].name;
+  tree.notes.push_back(formatted(
+      "joint %s follows %s in a closed loop: taken as linear, off by at most %.2g rad or m",
+      joint.name.c_str(), leader.c_str(), line.miss));
+  if (ahead != 0.0) {
+    joint.mimic->across = way.joint;
+    joint.mimic->ahead = ahead;
+  } else {
+    joint.lower = *least - 2.0 * line.miss;
+    joint.upper = *most + 2.0 * line.miss;
+  }
+  if (follower == way.joint) {
+    tree.notes.push_back(formatted(
+        "joint %s is held by a spring in its loop: the finger closes further when it is stopped, "
+        "taken as linear, off by at most %.2g rad or m",
+        joint.name.c_str(), way.miss));
+  } else {
+    joint.spring = {};
+  }
+}
+
+// The joint of the loop that is nearest to the root on the way that the drive is not on.
+int first_without(const JointTree& tree, const std::set<int>& joints, const std::set<int>& of_a,
+                  const std::set<int>& of_b, int drive) {
+  const std::set<int>& others = of_a.contains(drive) ? of_b : of_a;
+  int first = -1;
+  for (const int j : joints) {
+    if (!others.contains(j)) continue;
+    const std::set<int> before = joints_of(tree, tree.joints[index(j)].parent);
+    const bool is_first =
+        std::none_of(before.begin(), before.end(), [&](int k) { return joints.contains(k); });
+    if (is_first) first = j;
+  }
+  return first;
+}
+
+// Holds joint `held`, of the followers, where it is at each sample of the course, and moves the
+// drive on to the samples beyond, in both directions, as long as the loop closes. What each
+// follower then has beyond its line is, by least squares, proportional to what the held joint falls
+// behind its own.
+GivingWay giving_way(const Loop& loop, int drive, const std::vector<int>& followers, int held,
+                     const Course& course, const JointTree& tree) {
+  const auto at = std::find(followers.begin(), followers.end(), held);
+  const bool sprung = std::any_of(followers.begin(), followers.end(), [&](int f) {
+    return tree.joints[index(f)].spring.stiffness > 0.0;
+  });
+  if (at == followers.end() || !sprung) return {};
+  std::vector<int> free = followers;
+  free.erase(free.begin() + (at - followers.begin()));
+  const LoopSolver solver(tree, loop, free);
+  std::vector<Line> lines;
+  for (std::size_t k = 0; k < followers.size(); ++k) lines.push_back(line_of(course, k));
+  const auto own = static_cast<std::size_t>(at - followers.begin());
+  std::vector<double> behind;
+  std::vector<std::vector<double>> beyond(followers.size());
+  for (const int step : {1, -1}) {
+    for (int from = 0; from < kSamples; ++from) {
+      std::vector<double> values(tree.joints.size(), 0.0);
+      for (std::size_t k = 0; k < followers.size(); ++k) {
+        values[index(followers[k])] = course.followers[k][index(from)];
+      }
+      for (int to = from + step; to >= 0 && to < kSamples; to += step) {
+        values[index(drive)] = course.drive[index(to)];
+        if (!(solver.close(values) < kClosed)) break;
+        behind.push_back(lines[own].at(course.drive[index(to)]) - values[index(held)]);
+        for (std::size_t k = 0; k < followers.size(); ++k) {
+          beyond[k].push_back(values[index(followers[k])] - lines[k].at(course.drive[index(to)]));
+        }
+      }
+    }
+  }
+  GivingWay way{.joint = -1, .ahead = std::vector<double>(followers.size(), 0.0)};
+  for (std::size_t k = 0; k < followers.size(); ++k) {
+    if (k == own || behind.empty()) continue;
+    double xx = 0.0;
+    double xy = 0.0;
+    for (std::size_t i = 0; i < behind.size(); ++i) {
+      xx += behind[i] * behind[i];
+      xy += behind[i] * beyond[k][i];
+    }
+    if (!(std::abs(xy) > kStill * xx)) continue;
+    way.joint = held;
+    way.ahead[k] = xy / xx;
+    for (std::size_t i = 0; i < behind.size(); ++i) {
+      way.miss = std::max(way.miss, std::abs(beyond[k][i] - way.ahead[k] * behind[i]));
+    }
+  }
+  return way;
 }
 
 // The joint whose value sets those of the loop.
@@ -213,8 +312,10 @@ void close_loop(const Loop& loop, const std::set<int>& driven, JointTree& tree) 
       course.followers[k].push_back(values[index(followers[k])]);
     }
   }
+  const int held = first_without(tree, joints, of_a, of_b, drive);
+  const GivingWay way = giving_way(loop, drive, followers, held, course, tree);
   for (std::size_t k = 0; k < followers.size(); ++k) {
-    follow_line(drive, course.followers[k], course, followers[k], tree);
+    follow_line(drive, course, k, followers[k], way, tree);
   }
 }
 

@@ -24,8 +24,10 @@ Pose link_in_root(const JointTree& tree, int link, const std::vector<double>& va
 // one; else the first). The loop is solved in position over the range of the drive; where that
 // leaves a freedom, springs of joints pull them to where they rest, within their limits, and what
 // has no spring stays put. A follower becomes a mimic, by the straight line that fits best (the
-// note says by how much it misses), or a fixed joint where it hardly moves. A loop that cannot be
-// closed is left out, noted.
+// note says by how much it misses), or a fixed joint where it hardly moves. Where only a spring
+// holds a freedom of the loop, the joint that the drive does not carry gives way when it is stopped
+// (Joint::across), again by the best straight line. A loop that cannot be closed is left out,
+// noted.
 void close_loops(const std::vector<Loop>& loops, const std::set<int>& driven, JointTree& tree);
 
 }  // namespace prehend

@@ -39,7 +39,7 @@ class RobotReader {
   void add_joint(const JsonField& field, int parent, const Pose& X_PC);
   void read_dof(const JsonField& field);
   void read_drive(const JsonField& field, int dof);
-  int read_across(const JsonField& field, int joint) const;
+  void read_across(const JsonField& drive);
   void derive_limits(const JsonField& field, int dof);
   void read_chain_links(const JsonField& chain_field, const Chain& chain);
 
@@ -213,6 +213,7 @@ void RobotReader::read_dof(const JsonField& field) {
   const std::vector<JsonField> drives = field["drives"].items();
   if (drives.empty()) field["drives"].fail("a degree of freedom must drive at least one joint");
   for (const JsonField& drive : drives) read_drive(drive, dof);
+  for (const JsonField& drive : drives) read_across(drive);
   derive_limits(field, dof);
   robot_.dofs.back().initial = std::clamp(0.0, robot_.dofs.back().lower, robot_.dofs.back().upper);
   (void)field["closing_velocity"];  // needed here
@@ -220,7 +221,7 @@ void RobotReader::read_dof(const JsonField& field) {
 }
 
 void RobotReader::read_drive(const JsonField& field, int dof) {
-  field.allow_only({"joint", "ratio", "offset", "across"});
+  field.allow_only({"joint", "ratio", "offset", "across", "ahead"});
   const JsonField name = field["joint"];
   const auto found = joint_index_.find(name.text());
   if (found == joint_index_.end()) name.fail("no joint of this name");
@@ -232,26 +233,32 @@ void RobotReader::read_drive(const JsonField& field, int dof) {
     }
   }
   joint.ratio = field.number_or("ratio", 1.0);
-  if (!kRatioSize.contains(std::abs(joint.ratio))) {
+  const bool rests = joint.ratio == 0.0 && field.has("across");
+  if (!rests && !kRatioSize.contains(std::abs(joint.ratio))) {
     field["ratio"].fail("its size " + kRatioSize.words());
   }
   joint.offset = field.number_or("offset", 0.0, kCoordinate, unit_of(joint.type));
   joint.dof = dof;
-  if (field.has("across")) joint.across = read_across(field["across"], found->second);
 }
 
-// Drives are listed from the base on.
-int RobotReader::read_across(const JsonField& field, int joint) const {
+// Once all drives of the degree of freedom are read.
+void RobotReader::read_across(const JsonField& drive) {
+  if (!drive.has("across")) {
+    if (drive.has("ahead"))
+      drive["ahead"].fail("says how far it goes ahead across a joint: add across");
+    return;
+  }
+  const JsonField field = drive["across"];
+  const int joint = joint_index_.find(drive["joint"].text())->second;
   const auto found = joint_index_.find(field.text());
   if (found == joint_index_.end()) field.fail("no joint of this name");
-  for (int j = joint; j >= 0; j = robot_.joints[static_cast<std::size_t>(j)].parent) {
-    if (j == found->second && j != joint &&
-        robot_.joints[static_cast<std::size_t>(j)].dof ==
-            robot_.joints[static_cast<std::size_t>(joint)].dof) {
-      return j;
-    }
+  Joint& own = robot_.joints[static_cast<std::size_t>(joint)];
+  if (found->second == joint ||
+      robot_.joints[static_cast<std::size_t>(found->second)].dof != own.dof) {
+    field.fail("must be another joint that the same degree of freedom drives");
   }
-  field.fail("must be a joint before this one, driven before it by the same degree of freedom");
+  own.across = found->second;
+  own.ahead = drive.number_or("ahead", 1.0, kCoordinate);
 }
 
 // The values at which ratio * value + offset is inside the limits of every driven joint.
@@ -259,7 +266,7 @@ void RobotReader::derive_limits(const JsonField& field, int dof) {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   for (const Joint& joint : robot_.joints) {
-    if (joint.dof != dof) continue;
+    if (joint.dof != dof || joint.ratio == 0.0) continue;
     const double from = (joint.lower - joint.offset) / joint.ratio;
     const double to = (joint.upper - joint.offset) / joint.ratio;
     lower = std::max(lower, std::min(from, to));

@@ -106,6 +106,7 @@ Json dof_json(const Robot& robot, std::size_t dof) {
     if (joint.ratio != 1.0) drive["ratio"] = joint.ratio;
     if (joint.offset != 0.0) drive["offset"] = joint.offset;
     if (joint.across >= 0) drive["across"] = robot.joints[index(joint.across)].name;
+    if (joint.ahead != 1.0) drive["ahead"] = joint.ahead;
     json["drives"].push_back(drive);
   }
   json.update(motion_json(motion));

@@ -57,6 +57,7 @@ class TreeRobot {
   void add_joint(int joint, int parent);
   void add_dofs();
   void assume_accelerations();
+  void set_linkages();
   void add_exempt_pairs();
   void mark_base();
 
@@ -227,6 +228,7 @@ void TreeRobot::add_dofs() {
       const int leader = mimics_[index(joint_source_[j])].joint;
       if ((leader == joint_source_[j]) != leads) continue;
       joint.dof = dof_of_[index(leader)];
+      if (joint.ratio == 0.0) continue;
       DegreeOfFreedom& dof = robot_.dofs[index(joint.dof)];
       const double from = (joint.lower - joint.offset) / joint.ratio;
       const double to = (joint.upper - joint.offset) / joint.ratio;
@@ -246,6 +248,7 @@ void TreeRobot::add_dofs() {
       dof.upper = upper;
     }
   }
+  set_linkages();
   assume_accelerations();
   for (std::size_t d = 0; d < robot_.dofs.size(); ++d) {
     DegreeOfFreedom& dof = robot_.dofs[d];
@@ -260,6 +263,16 @@ void TreeRobot::add_dofs() {
     dof.coupling = Coupling::self_centering;
     robot_.notes.push_back("degree of freedom " + dof.name +
                            " moves two opposed fingers: taken as self-centering");
+  }
+}
+
+void TreeRobot::set_linkages() {
+  for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
+    const Mimic& mimic = mimics_[index(joint_source_[j])];
+    if (mimic.across < 0) continue;
+    const auto found = std::find(joint_source_.begin(), joint_source_.end(), mimic.across);
+    robot_.joints[j].across = static_cast<int>(found - joint_source_.begin());
+    robot_.joints[j].ahead = mimic.ahead;
   }
 }
 

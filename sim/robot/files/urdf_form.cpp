@@ -14,7 +14,7 @@ int leader_of(const Robot& robot, int dof) {
   int leader = -1;
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const Joint& joint = robot.joints[j];
-    if (joint.dof != dof) continue;
+    if (joint.dof != dof || joint.ratio == 0.0) continue;
     if (leader < 0) leader = static_cast<int>(j);
     if (joint.ratio == 1.0 && joint.offset == 0.0) return static_cast<int>(j);
   }

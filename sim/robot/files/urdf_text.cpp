@@ -140,6 +140,11 @@ void UrdfWriter::write_joint(const Robot& robot, std::size_t j) {
   }
   const DegreeOfFreedom& dof = robot.dofs[index(joint.dof)];
   const std::string parent = joint.parent < 0 ? robot.links[0].name : frames[index(joint.parent)];
+  if (joint.ratio ==
+      0.0) {  // URDF knows no linkages: it stays where it is until they close further
+    write_fixed(joint.name, parent, child, joint.X_PJ * across(at_zero, joint.offset));
+    return;
+  }
   xml_.open("joint", {{"name", joint.name}, {"type", turns ? "revolute" : "prismatic"}});
   write_origin(xml_, joint.X_PJ * across(at_zero, 0.0));
   xml_.element("parent", {{"link", parent}});

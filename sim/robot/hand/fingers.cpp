@@ -134,6 +134,15 @@ bool stay_in_touch(const Robot& robot, const Finger& a, const Finger& b) {
   return true;
 }
 
+// Whether a linkage joins it to a finger beside it, whose joints it passes.
+bool passes_another(const Robot& robot, const Finger& finger) {
+  return std::any_of(finger.joints.begin(), finger.joints.end(), [&](int joint) {
+    const int across = robot.joints[index(joint)].across;
+    return across >= 0 &&
+           std::find(finger.joints.begin(), finger.joints.end(), across) == finger.joints.end();
+  });
+}
+
 void drop_levers(const Robot& robot, const RobotPoses& poses, const Vector3& palm,
                  std::vector<Finger>& fingers) {
   const auto reach = [&](const Finger& finger) {
@@ -141,6 +150,7 @@ void drop_levers(const Robot& robot, const RobotPoses& poses, const Vector3& pal
   };
   const std::vector<Finger> all = fingers;
   std::erase_if(fingers, [&](const Finger& finger) {
+    if (passes_another(robot, finger)) return true;
     const std::set<int> own = dofs_of(robot, finger);
     return std::any_of(all.begin(), all.end(), [&](const Finger& other) {
       const std::set<int> dofs = dofs_of(robot, other);

@@ -26,9 +26,9 @@ struct HandParts {
 // The fingers are what branches from the first place of the tree, seen from the base, at which
 // several branches with links begin. A branch without degrees of freedom of its own is no finger
 // but a lever of a four-bar finger if it reaches less than 60 % as far as another one, or stays in
-// touch with one that has more joints. Where nothing
-// branches, a chain of at most two joints is one finger that closes onto the base; a longer one is
-// an arm, and there are no fingers.
+// touch with one that has more joints; so is one that passes another one's joints
+// (Joint::across). Where nothing branches, a chain of at most two joints is one finger that closes
+// onto the base; a longer one is an arm, and there are no fingers.
 HandParts find_hand_parts(const Robot& robot);
 
 // The middle of the surface of these links, with all degrees of freedom at their initial values, in

@@ -7,6 +7,7 @@
 #include "sim/base/index.h"
 #include "sim/quality/epsilon.h"
 #include "sim/quality/wrench.h"
+#include "sim/robot/joint_course.h"
 #include "sim/robot/one_finger.h"
 #include "sim/shape/contact/contact_region.h"
 
@@ -57,30 +58,7 @@ double balls_apart(const ProximityMesh& a, const ProximityMesh& b, const Pose& X
   return (X_AB * b.ball_center() - a.ball_center()).norm() - a.ball_radius() - b.ball_radius();
 }
 
-int first_joint_of_finger(const Robot& robot, int joint) {
-  while (robot.joints[index(joint)].parent >= 0) joint = robot.joints[index(joint)].parent;
-  return joint;
-}
-
 }  // namespace
-
-// Joint values over the time since the hand began to close.
-struct TestClosing::Motion {
-  std::vector<double> start;
-  std::vector<double> velocity;
-  std::vector<double> until;  // when each joint stops [s]
-
-  bool moves(int joint, double time) const {
-    return velocity[index(joint)] != 0.0 && time < until[index(joint)];
-  }
-  std::vector<double> at(double time) const {
-    std::vector<double> joints = start;
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-      joints[j] += velocity[j] * std::min(time, until[j]);
-    }
-    return joints;
-  }
-};
 
 TestClosing::TestClosing(const Robot& robot, const HandParts& parts, const ClosingDofs& closing,
                          const SelfCollision& collision)
@@ -89,7 +67,7 @@ TestClosing::TestClosing(const Robot& robot, const HandParts& parts, const Closi
     Reaching reaching{.link = l, .joints = {}, .arms = {}};
     for (const int joint : joints_to(robot, robot.links[index(l)].joint)) {
       const Joint& j = robot.joints[index(joint)];
-      if (!closing.closes(index(j.dof)) || j.ratio == 0.0) continue;
+      if (!closing.closes(index(j.dof))) continue;
       reaching.joints.push_back(joint);
       reaching.arms.push_back(j.type == JointType::prismatic ? 1.0 : arm_of(robot, joint, l));
     }
@@ -150,22 +128,6 @@ Pose TestClosing::pushed(const ProximityMesh& body, const Pose& X_BS, const Vect
   return way > 0.0 && way < most ? translation(way * *push) * X_BS_free : X_BS;
 }
 
-void TestClosing::stop(const Reaching& touching, double time, Motion& motion) const {
-  for (const int joint : touching.joints) {
-    if (!motion.moves(joint, time)) continue;
-    const int dof = robot_.joints[index(joint)].dof;
-    const Coupling coupling = robot_.dofs[index(dof)].coupling;
-    const int finger = first_joint_of_finger(robot_, joint);
-    for (int other = 0; other < static_cast<int>(robot_.joints.size()); ++other) {
-      const bool with_it =
-          other == joint || coupling == Coupling::rigid ||
-          (coupling == Coupling::by_finger && first_joint_of_finger(robot_, other) == finger);
-      if (robot_.joints[index(other)].dof != dof || !with_it) continue;
-      motion.until[index(other)] = std::min(motion.until[index(other)], time);
-    }
-  }
-}
-
 bool TestClosing::crossing(const std::vector<Pose>& X_BL, std::size_t thumb) const {
   const int of_thumb = static_cast<int>(thumb);
   return std::any_of(apart_.begin(), apart_.end(), [&](const Apart& pair) {
@@ -194,21 +156,22 @@ double TestClosing::score(const ProximityMesh& body, const Pose& X_BS,
 
 double TestClosing::hold(const ProximityMesh& body, const Pose& X_BS,
                          const std::vector<double>& dofs, std::size_t thumb) const {
-  Motion motion{.start = joint_values(robot_, dofs),
-                .velocity = std::vector<double>(robot_.joints.size(), 0.0),
-                .until = std::vector<double>(robot_.joints.size(), 0.0)};
-  for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
-    const std::size_t d = index(robot_.joints[j].dof);
-    if (!closing_.closes(d)) continue;
-    motion.velocity[j] = robot_.joints[j].ratio * closing_.velocity[d];
-    motion.until[j] =
-        std::max(0.0, (closed_value(robot_, closing_, d) - dofs[d]) / closing_.velocity[d]);
+  std::vector<DofCourse> courses(robot_.dofs.size());
+  for (std::size_t d = 0; d < courses.size(); ++d) {
+    if (closing_.closes(d)) courses[d] = {closing_.velocity[d], closed_value(robot_, closing_, d)};
   }
-  const double end = *std::max_element(motion.until.begin(), motion.until.end());
+  JointCourse course;
+  course.start(robot_, dofs, courses);
+  const double end = course.end();
+  std::vector<double> joints(robot_.joints.size());
+  std::vector<Pose> X_BL;
+  const auto place_links = [&](double time) {
+    for (std::size_t j = 0; j < joints.size(); ++j) joints[j] = course.value(int(j), time);
+    link_poses(robot_, joints, X_BL);
+  };
   // When each link has to be looked at again: before that it cannot touch.
   std::vector<double> safe(reaching_.size(), 0.0);
   std::vector<TrianglePair> nearest(reaching_.size());
-  std::vector<Pose> X_BL;
   for (int step = 0; step < kMostSteps && !safe.empty(); ++step) {
     const auto next = std::min_element(safe.begin(), safe.end());
     const double time = *next;
@@ -216,12 +179,11 @@ double TestClosing::hold(const ProximityMesh& body, const Pose& X_BS,
     const Reaching& reaching = reaching_[static_cast<std::size_t>(next - safe.begin())];
     double speed = 0.0;
     for (std::size_t k = 0; k < reaching.joints.size(); ++k) {
-      if (!motion.moves(reaching.joints[k], time)) continue;
-      speed += std::abs(motion.velocity[index(reaching.joints[k])]) * reaching.arms[k];
+      speed += course.speed(reaching.joints[k], time) * reaching.arms[k];
     }
     *next = end;
     if (speed <= 0.0) continue;
-    link_poses(robot_, motion.at(time), X_BL);
+    place_links(time);
     const Pose X_LS = X_BL[index(reaching.link)].inverse() * X_BS;
     const ProximityMesh& link = collision_.mesh(reaching.link);
     const double apart = balls_apart(link, body, X_LS);
@@ -234,12 +196,12 @@ double TestClosing::hold(const ProximityMesh& body, const Pose& X_BS,
     hint = gap.pair;
     if (gap.upper <= kTouching) {
       if (time == 0.0 && gap.upper <= 0.0) return 0.0;
-      stop(reaching, time, motion);
+      course.stop_before(reaching.joints, time);
     } else {
       *next = time + step_from(gap) / speed;
     }
   }
-  link_poses(robot_, motion.at(end), X_BL);
+  place_links(end);
   const double epsilon = score(body, X_BS, X_BL);
   return epsilon > 0.0 && crossing(X_BL, thumb) ? 0.0 : epsilon;
 }

@@ -31,9 +31,8 @@ class TestClosing {
               const std::vector<double>& dofs) const;
 
   // Epsilon of the grasp in which the hand ends that closes from `dofs` on the body at X_BS, with a
-  // friction of 0.5 and torques over the body's radius; 0: it does not hold. A joint stops where a
-  // link beyond it touches, and takes with it what its coupling says. 0 as well where fingers cross
-  // each other or the palm.
+  // friction of 0.5 and torques over the body's radius; 0: it does not hold. Joints stop as
+  // JointCourse says. 0 as well where fingers cross each other or the palm.
   double hold(const ProximityMesh& body, const Pose& X_BS, const std::vector<double>& dofs,
               std::size_t thumb) const;
 
@@ -50,9 +49,6 @@ class TestClosing {
     int owner_a = 0;
     int owner_b = 0;
   };
-  struct Motion;
-
-  void stop(const Reaching& touching, double time, Motion& motion) const;
   bool crossing(const std::vector<Pose>& X_BL, std::size_t thumb) const;
   double score(const ProximityMesh& body, const Pose& X_BS, const std::vector<Pose>& X_BL) const;
 

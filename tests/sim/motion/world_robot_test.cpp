@@ -324,6 +324,56 @@ TEST(WorldRobot, AGearHoldsAThirdMoreThanItsDrive) {
   }
 }
 
+// The same finger on a linkage, whose tip stays parallel until the first link is stopped.
+Robot linkage_finger() {
+  Robot finger = breakaway_finger(0.6, 0.0);
+  finger.dofs[0].coupling = Coupling::by_finger;
+  finger.dofs[0].upper = 1.0;
+  finger.joints[1].ratio = -1.0;
+  finger.joints[1].lower = -2.0;
+  finger.joints[1].upper = 2.0;
+  finger.joints[1].across = 0;
+  finger.joints[1].ahead = 2.5;
+  return finger;
+}
+
+TEST(WorldRobot, ALinkageTurnsTheTipInWhenItsFirstLinkIsStopped) {
+  World world = world_with_robot(linkage_finger(), {0.0});
+  world.gravity.setZero();
+  WorldBody block{"block", make_collision_body("block", make_box({0.02, 0.1, 0.01}), true)};
+  block.is_fixed = true;
+  block.motion.X_WB = translation({-0.03, 0.0, -0.075});
+  world.bodies.push_back(block);
+  world.robots[0].drives = {{.dof = 0, .target_rate = 1.0, .holds_rate = true, .max_effort = 0.6}};
+  run_all(world, 0.9, 2.5e-3);
+  const WorldRobot& robot = world.robots[0];
+  const Eigen::VectorXd q = joints_of(robot);
+  ASSERT_EQ(robot.x.size(), 3);  // drive, the whole finger, and what its first link falls behind
+  const double drive = robot.x[0] + robot.x[1];
+  EXPECT_LT(robot.x[2], -0.1);
+  EXPECT_NEAR(q[0], drive + robot.x[2], 1e-9);
+  EXPECT_NEAR(q[1], -drive - 2.5 * robot.x[2], 1e-9);
+}
+
+// Weight that pulls the first link the way that it closes does not take it ahead of its drive.
+TEST(WorldRobot, AStopOfALinkageKeepsItsLinkFromGoingAhead) {
+  for (const double pull : {1.0, -1.0}) {
+    Robot finger = linkage_finger();
+    finger.joints[0].lower = -1.0;
+    finger.dofs[0].lower = -1.0;
+    finger.links[2].inertial = inertial_of_mass(finger.links[2].mesh, 1e-4);
+    World world = world_with_robot(finger, {0.0});
+    world.gravity = {-pull * 5.0, 0.0, 0.0};  // on a link that hangs: about +y, as it closes
+    world.robots[0].drives = {{.dof = 0, .holds_rate = true, .max_effort = 0.6}};
+    run_all(world, 0.1, 1e-3);
+    if (pull > 0.0) {
+      EXPECT_NEAR(world.robots[0].x[2], 0.0, 1e-6);
+    } else {
+      EXPECT_LT(world.robots[0].x[2], -1e-2);
+    }
+  }
+}
+
 TEST(WorldRobot, WhatNoDriveMayBeIsRefused) {
   World world = world_with_robot(pendulum(0.3, 0.5), {0.0});
   world.robots[0].drives = {{.dof = 0, .stiffness = -1.0}};

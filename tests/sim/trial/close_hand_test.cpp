@@ -94,6 +94,38 @@ TEST(CloseHand, OneFingerOfTwoOnALinkageStopsWhole) {
   EXPECT_LT(closed.joints[0], 0.1);
 }
 
+// A linkage keeps the distal bar parallel until the proximal one is stopped, and then turns it in.
+CompiledScene linkage_scene(const Vector3& object_at) {
+  Robot hand = finger_hand(Coupling::by_finger);
+  Joint& distal = hand.joints[1];
+  distal.ratio = -1.0;
+  distal.lower = -1.5;
+  distal.across = 0;
+  distal.ahead = 2.5;
+  return compiled(hand, block({0.02, 0.02, 0.02}, object_at));
+}
+
+TEST(CloseHand, ALinkageClosesFurtherWhenItsFirstLinkIsStopped) {
+  const CompiledScene scene = linkage_scene(kBySide);
+  const ClosedHand closed = close_from(scene, Pose::Identity(), {0.0});
+  EXPECT_TRUE(closed.stopped_by_contact[0]);
+  expect_touches(scene, Pose::Identity(), closed, 1);
+  const double behind = closed.dofs[0] - closed.joints[0];
+  EXPECT_GT(behind, 0.1);
+  EXPECT_NEAR(closed.joints[1], -closed.dofs[0] + 2.5 * behind, 1e-9);
+  // Beyond the block the distal bar ends where the drive does, or at its own limit.
+  EXPECT_TRUE(std::abs(closed.dofs[0] - 1.5) < 1e-9 || std::abs(closed.joints[1] - 1.5) < 1e-9 ||
+              closed.stopped_by_contact[1]);
+}
+
+TEST(CloseHand, ALinkageStopsWholeWhereItsLastLinkTouches) {
+  const CompiledScene scene = linkage_scene({0.06, 0.06, 0.0});
+  const ClosedHand closed = close_from(scene, Pose::Identity(), {0.0});
+  ASSERT_TRUE(closed.stopped_by_contact[0] && closed.stopped_by_contact[1]);
+  EXPECT_NEAR(closed.joints[1], -closed.joints[0], 1e-12);
+  expect_touches(scene, Pose::Identity(), closed, 2);
+}
+
 TEST(CloseHand, GoesOnFromJointsThatHaveParted) {
   const CompiledScene scene = finger_scene(Coupling::breakaway, kBySide);
   const ClosedHand once = close_from(scene, Pose::Identity(), {0.0});

@@ -30,6 +30,7 @@ inline void expect_same_joint(const Joint& a, const Joint& b) {
   EXPECT_EQ(a.dof, b.dof) << a.name;
   EXPECT_EQ(a.ratio, b.ratio) << a.name;
   EXPECT_EQ(a.across, b.across) << a.name;
+  EXPECT_EQ(a.ahead, b.ahead) << a.name;
   EXPECT_EQ(a.offset, b.offset) << a.name;
   EXPECT_EQ(a.parent, b.parent) << a.name;
   EXPECT_EQ(a.chain, b.chain) << a.name;
