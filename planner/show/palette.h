@@ -26,6 +26,10 @@ inline constexpr Color kRubber{0.27, 0.31, 0.37, 1.0};  // links that do
 inline constexpr Color kArm{0.87, 0.70, 0.36, 1.0};
 inline constexpr Color kObstacle{0.72, 0.72, 0.72, 0.25};
 
+// Axes of a hand.
+inline constexpr Color kApproach{0.10, 0.30, 0.85, 1.0};
+inline constexpr Color kClosing{0.80, 0.15, 0.10, 1.0};
+
 // Parts of the object's surface of another material; one with a name of its own is `own`.
 constexpr Color of_surface(Material material, bool own) {
   if (own) return {0.10, 0.45, 0.80, 0.45};

@@ -4,15 +4,17 @@
 
 #include "planner/show/palette.h"
 #include "planner/show/picture/draw.h"
+#include "planner/show/picture/marks.h"
+#include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/shape/basic_shapes.h"
 
 namespace prehend {
 namespace {
 
-std::vector<DrawnBody> bodies_at(const Robot& robot, const std::vector<double>& dofs) {
+std::vector<DrawnBody> bodies_at(const Robot& robot, const NamedPosture& posture) {
   std::vector<Pose> X_BL;
-  link_poses(robot, joint_values(robot, dofs), X_BL);
+  link_poses(robot, posture.joints, X_BL);
   std::vector<DrawnBody> bodies;
   for (std::size_t l = 0; l < robot.links.size(); ++l) {
     const Link& link = robot.links[l];
@@ -21,7 +23,32 @@ std::vector<DrawnBody> bodies_at(const Robot& robot, const std::vector<double>& 
                                                    : palette::kArm;
     bodies.push_back({SharedMesh::borrowed(link.mesh), X_BL[l], color, link.name});
   }
+  if (posture.grasped) {
+    bodies.push_back({SharedMesh::borrowed(posture.grasped->mesh), posture.grasped->X_BM,
+                      palette::kObject, "grasped"});
+  }
   return bodies;
+}
+
+// Along the approach from the palm to where the fingers meet, and across, as wide as they open.
+void add_axes(const Hand& hand, std::vector<DrawnBody>& bodies) {
+  if (hand.preshapes.empty() || hand.closing.norm() == 0.0) return;
+  const Preshape& open = hand.preshapes.front();
+  const double radius = 0.015 * std::max(open.max_width, open.depth);
+  const Vector3 middle = hand.origin + open.depth * hand.approach;
+  const Vector3 across = 0.5 * open.max_width * hand.closing;
+  const auto add = [&](const TriangleMesh& mesh, const Color& color, const char* name) {
+    bodies.push_back({SharedMesh(mesh), Pose::Identity(), color, name});
+  };
+  add(arrow_mesh(hand.origin, middle, radius), palette::kApproach, "approach");
+  add(arrow_mesh(middle, middle - across, radius), palette::kClosing, "closing");
+  add(arrow_mesh(middle, middle + across, radius), palette::kClosing, "closing");
+}
+
+// What the first preshape takes, for the line under it.
+std::string opening_of(const Robot& robot) {
+  if (!robot.hand || robot.hand->preshapes.empty()) return "";
+  return formatted(", up to %.0f mm", 1e3 * robot.hand->preshapes.front().max_width);
 }
 
 // Cubes of this size at some of the points, evenly picked.
@@ -48,18 +75,6 @@ Vector3 telling_direction(const Robot& robot) {
 
 }  // namespace
 
-std::vector<NamedPosture> telling_postures(const Robot& robot) {
-  constexpr std::size_t kMost = 5;
-  std::vector<NamedPosture> postures;
-  if (robot.hand) {
-    for (const Preshape& preshape : robot.hand->preshapes) {
-      if (postures.size() < kMost) postures.push_back({preshape.name, preshape.dofs});
-    }
-  }
-  if (postures.empty()) postures.push_back({robot.name, initial_dofs(robot)});
-  return postures;
-}
-
 Image robot_picture(const Robot& robot, const std::vector<NamedPosture>& postures,
                     const PostureSurvey& survey, const PictureSize& size,
                     const RunContext& context) {
@@ -74,9 +89,12 @@ Image robot_picture(const Robot& robot, const std::vector<NamedPosture>& posture
     write_title(images.back(), title);
   };
   for (const NamedPosture& posture : postures) {
-    draw_cell(bodies_at(robot, posture.dofs), posture.name);
+    std::vector<DrawnBody> bodies = bodies_at(robot, posture);
+    const bool first = &posture == &postures.front();
+    if (first && robot.hand) add_axes(*robot.hand, bodies);
+    draw_cell(bodies, posture.name + (first ? opening_of(robot) : ""));
   }
-  std::vector<DrawnBody> reached = bodies_at(robot, postures.front().dofs);
+  std::vector<DrawnBody> reached = bodies_at(robot, postures.front());
   for (std::size_t t = 0; t < survey.tips.size(); ++t) {
     const TipWorkspace& tip = survey.tips[t];
     if (tip.points.empty() || !(tip.box.diagonal() > 0.0)) continue;  // none, or it never moves
