@@ -3,9 +3,14 @@
 // plans with what is derived beside what is stated; of a file that states nothing, only the former.
 //
 //   hands_benchmark [--trials N] [--object MESH]... [HAND...]
+//   hands_benchmark --catalogue LIST --folder FOLDER --page FILE [--trials N] [--object MESH]...
 //
-// HAND: names of the library or robot files; none: all hands of the library.
+// HAND: names of the library or robot files; none: all hands of the library. The second line writes
+// a page (Markdown, and pictures in a folder `hands` beside it) of the files of others that LIST
+// names: a JSON array of {"name", "file" below FOLDER, "source"}.
 #include <algorithm>
+#include <cctype>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -14,9 +19,13 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/report/catalogue_page.h"
 #include "planner/plan/plan.h"
+#include "planner/show/robot_picture.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/json/json_field.h"
+#include "sim/base/output_file.h"
 #include "sim/robot/files/robot_file.h"
 #include "sim/robot/hand/derive_hand.h"
 #include "sim/scene/compiled_scene.h"
@@ -28,6 +37,9 @@ namespace {
 
 struct Arguments {
   int trials = 300;
+  std::filesystem::path catalogue;
+  std::filesystem::path folder;
+  std::filesystem::path page;
   std::vector<std::string> objects;
   std::vector<std::string> hands;
 };
@@ -40,6 +52,12 @@ Arguments read_arguments(int count, char** words) {
       arguments.trials = std::stoi(words[++k]);
     } else if (word == "--object" && k + 1 < count) {
       arguments.objects.emplace_back(words[++k]);
+    } else if (word == "--catalogue" && k + 1 < count) {
+      arguments.catalogue = words[++k];
+    } else if (word == "--folder" && k + 1 < count) {
+      arguments.folder = words[++k];
+    } else if (word == "--page" && k + 1 < count) {
+      arguments.page = words[++k];
     } else {
       arguments.hands.push_back(word);
     }
@@ -150,9 +168,65 @@ void try_hand(const std::string& name, const std::vector<GraspableBody>& objects
   }
 }
 
+std::string picture_of(const Robot& hand, const std::string& name,
+                       const std::filesystem::path& folder) {
+  std::string file;
+  for (const char c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) file += c;
+  }
+  constexpr int kPostures = 300;  // of the survey of where the tips get
+  const Image image = robot_picture(hand, telling_postures(hand), survey_postures(hand, kPostures),
+                                    {.width = 900, .height = 500});
+  std::filesystem::create_directories(folder / "hands");
+  write_file(folder / "hands" / (file + ".png"), png_bytes(image));
+  return "hands/" + file + ".png";
+}
+
+CatalogueHand catalogue_hand(const JsonField& entry, const std::vector<GraspableBody>& objects,
+                             const Arguments& arguments) {
+  const std::string file = entry["file"].text();
+  CatalogueHand row{.name = entry["name"].text(),
+                    .source = entry["source"].text() + ", " + file,
+                    .refusal = "",
+                    .picture = ""};
+  try {
+    const auto start = std::chrono::steady_clock::now();
+    const Robot hand = with_hand(find_robot((arguments.folder / file).string()));
+    row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    row.joints = static_cast<int>(hand.joints.size());
+    row.drives = static_cast<int>(hand.dofs.size());
+    row.preshapes = static_cast<int>(hand.hand->preshapes.size());
+    row.notes = static_cast<int>(hand.notes.size());
+    row.aperture = widest(hand).max_width;
+    row.picture = picture_of(hand, row.name, arguments.page.parent_path());
+    for (const GraspableBody& object : objects) {
+      const Planned planned = plan_with(hand, object, arguments.trials);
+      row.grasps.push_back({object.name, planned.epsilon, planned.holds});
+    }
+  } catch (const InputError& error) {
+    row.refusal = error.problem();
+  }
+  return row;
+}
+
+void write_catalogue(const std::vector<GraspableBody>& objects, const Arguments& arguments) {
+  const JsonFile list(arguments.catalogue);
+  std::vector<CatalogueHand> rows;
+  for (const JsonField& entry : list.root().items()) {
+    rows.push_back(catalogue_hand(entry, objects, arguments));
+    std::printf("%s\n", rows.back().name.c_str());
+    std::fflush(stdout);
+  }
+  write_file(arguments.page, catalogue_page(rows, arguments.trials));
+}
+
 void run(const Arguments& arguments) {
   std::vector<GraspableBody> objects;
   for (const std::string& name : arguments.objects) objects.push_back(object_of(name));
+  if (!arguments.catalogue.empty()) {
+    write_catalogue(objects, arguments);
+    return;
+  }
   for (const std::string& name : arguments.hands) {
     try {
       try_hand(name, objects, arguments.trials);
