@@ -15,8 +15,8 @@ struct CatalogueGrasps {
 
 struct CatalogueHand {
   std::string name;
-  std::string source;   // who publishes it, and the file there
-  std::string refusal;  // why it is no hand; empty: it is one, and the rest is known
+  std::string source;        // who publishes it, and the file there
+  std::string refusal = {};  // why it is no hand; empty: it is one, and the rest is known
   int joints = 0;
   int drives = 0;  // degrees of freedom
   int preshapes = 0;

@@ -8,7 +8,6 @@ namespace {
 TEST(CataloguePage, SaysHowEachHandWasReadAndWhatItHolds) {
   const CatalogueHand jaw{.name = "jaw",
                           .source = "maker/jaw.urdf",
-                          .refusal = "",
                           .joints = 2,
                           .drives = 1,
                           .preshapes = 3,
