@@ -23,7 +23,7 @@ struct CatalogueHand {
   int notes = 0;                             // on what was assumed or left out
   double aperture = 0.0;                     // of the preshape that opens widest [m]
   double seconds = 0.0;                      // to read the file and derive how the hand grasps
-  std::string picture;                       // file beside the page; empty: none
+  std::string picture = {};                  // file beside the page; empty: none
   std::vector<CatalogueGrasps> grasps = {};  // of every hand on the same objects
 };
 

@@ -5,6 +5,7 @@
 #include "sim/robot/files/robot_file.h"
 #include "tests/sim/robot/files/foreign_files.h"
 #include "tests/sim/robot/files/same_robot.h"
+#include "tests/support/refusal_of.h"
 
 namespace prehend {
 namespace {
@@ -39,6 +40,20 @@ TEST(RobotText, GainsAndSpringsReadBackAsTheSame) {
   robot.joints[1].spring = {.stiffness = 3.5, .rest = -0.2};
   const std::filesystem::path file = write_text(test_folder() / "robot.json", robot_text(robot));
   test::expect_same_robot(load_robot(file), robot);
+}
+
+TEST(RobotText, LinkagesReadBackAsTheSame) {
+  Robot robot = find_robot("robotiq_2f85");
+  Joint& coupler = robot.joints[1];
+  coupler.ratio = 0.0;
+  coupler.across = 2;
+  coupler.ahead = -1.5;
+  const std::filesystem::path file = write_text(test_folder() / "robot.json", robot_text(robot));
+  test::expect_same_robot(load_robot(file), robot);
+  robot.joints[1].across = 1;
+  const std::filesystem::path own = write_text(test_folder() / "own.json", robot_text(robot));
+  EXPECT_EQ(test::refusal_of([&] { (void)load_robot(own); }).problem(),
+            "must be another joint that the same degree of freedom drives");
 }
 
 TEST(RobotText, PlatformsReadBackAsTheSame) {
