@@ -85,7 +85,8 @@ TEST_P(Refusals, NameFileAndPlaceAndWhatToDo) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Refusals,
                          testing::Values("robot", "platform", "graspit_robot", "graspit_world",
-                                         "urdf", "xacro", "sdf", "mjcf", "scene", "moveit"),
+                                         "urdf", "xacro", "sdf", "openrave", "mjcf", "scene",
+                                         "moveit"),
                          [](const auto& kind) { return std::string(kind.param); });
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "sim/robot/files/graspit_robot.h"
 #include "sim/robot/files/hand_split.h"
 #include "sim/robot/files/mjcf_file.h"
+#include "sim/robot/files/openrave_file.h"
 #include "sim/robot/files/platform_file.h"
 #include "sim/robot/files/robot_file.h"
 #include "sim/robot/files/sdf_file.h"
@@ -141,6 +142,10 @@ void read_urdf_file(std::string_view name, const std::string& bytes) {
 
 void read_xacro_file(std::string_view name, const std::string& bytes) {
   check_tree(read_urdf(expanded_xacro(XmlFile(pretended_path(name, "xacro"), bytes), {})));
+}
+
+void read_openrave_file(std::string_view name, const std::string& bytes) {
+  check_tree(read_urdf(urdf_of_openrave(XmlFile(pretended_path(name, "xml"), bytes))));
 }
 
 void read_sdf_file(std::string_view name, const std::string& bytes) {

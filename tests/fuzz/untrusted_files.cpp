@@ -8,7 +8,7 @@
 namespace prehend::fuzz {
 namespace {
 
-constexpr std::array<FileKind, 29> kKinds{{
+constexpr std::array<FileKind, 30> kKinds{{
     {"stl", Grammar::bytes, read_mesh_file},
     {"ply", Grammar::bytes, read_mesh_file},
     {"obj", Grammar::bytes, read_mesh_file},
@@ -26,6 +26,7 @@ constexpr std::array<FileKind, 29> kKinds{{
     {"mjcf", Grammar::bytes, read_mjcf_file},
     {"xacro", Grammar::bytes, read_xacro_file},
     {"sdf", Grammar::bytes, read_sdf_file},
+    {"openrave", Grammar::bytes, read_openrave_file},
     {"scene", Grammar::json, read_scene_file},
     {"moveit", Grammar::bytes, read_moveit_file},
     {"grasps", Grammar::json, read_grasps_file},

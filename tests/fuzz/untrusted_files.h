@@ -51,6 +51,7 @@ void read_urdf_file(std::string_view name, const std::string& bytes);
 void read_mjcf_file(std::string_view name, const std::string& bytes);
 void read_xacro_file(std::string_view name, const std::string& bytes);
 void read_sdf_file(std::string_view name, const std::string& bytes);
+void read_openrave_file(std::string_view name, const std::string& bytes);
 void read_scene_file(std::string_view name, const std::string& bytes);
 void read_moveit_file(std::string_view name, const std::string& bytes);
 void read_grasps_file(std::string_view name, const std::string& bytes);

@@ -13,6 +13,7 @@
 #include "sim/robot/files/graspit_world_robots.h"
 #include "sim/robot/files/hand_split.h"
 #include "sim/robot/files/mjcf_file.h"
+#include "sim/robot/files/openrave_file.h"
 #include "sim/robot/files/robot_sidecar.h"
 #include "sim/robot/files/sdf_file.h"
 #include "sim/robot/files/srdf_file.h"
@@ -148,6 +149,10 @@ std::optional<Platform> read_foreign_robot(const std::filesystem::path& file,
   if (has_xacro(written)) expanded = expanded_xacro(written, all);
   const XmlFile& xml = expanded ? *expanded : written;
   const std::string kind = xml.root().name();
+  if (is_openrave(xml)) {
+    return platform_of(read_urdf(urdf_of_openrave(xml), all), all.scale, srdf_of(file, all),
+                       sidecar);
+  }
   if (is_graspit_robot(xml) || kind == "world") {
     if (all.scale != 1.0) xml.root().fail("robots of GraspIt! are in mm and cannot be scaled");
     return kind == "world" ? read_graspit_platform(xml) : graspit_platform(xml, sidecar);
@@ -160,9 +165,8 @@ std::optional<Platform> read_foreign_robot(const std::filesystem::path& file,
   }
   if (kind == "mujoco") return platform_of(read_mjcf(xml), all.scale, {}, sidecar);
   xml.root().fail(
-      "no robot that can be read; known are URDF (<robot>), MJCF (<mujoco>), SDF (<sdf>), GraspIt! "
-      "robots "
-      "(<robot> with <palm>) and worlds (<world>)");
+      "no robot that can be read; known are URDF (<robot>), MJCF (<mujoco>), SDF (<sdf>), OpenRAVE "
+      "(<Robot>, <KinBody>), GraspIt! robots (<robot> with <palm>) and worlds (<world>)");
 }
 
 Robot robot_alone(Platform platform) {

@@ -391,10 +391,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "line 2: a tag is closed that is not open, or stays open"},
         BadUrdf{"Entities", "<!DOCTYPE r [<!ENTITY a \"aa\">]>\n<robot name=\"&a;\"/>",
                 "line 1: entities must not be defined here"},
-        BadUrdf{
-            "OtherRoot", "<COLLADA/>",
-            "line 1, <COLLADA>: no robot that can be read; known are URDF (<robot>), MJCF "
-            "(<mujoco>), SDF (<sdf>), GraspIt! robots (<robot> with <palm>) and worlds (<world>)"},
+        BadUrdf{"OtherRoot", "<COLLADA/>",
+                "line 1, <COLLADA>: no robot that can be read; known are URDF (<robot>), MJCF "
+                "(<mujoco>), SDF (<sdf>), OpenRAVE (<Robot>, <KinBody>), GraspIt! robots (<robot> "
+                "with <palm>) and worlds (<world>)"},
         BadUrdf{"Empty", urdf(""), "there is no link"},
         BadUrdf{"NothingMoves", urdf(box_link("base")), "no joint moves (made)"},
         BadUrdf{"MissingLink", two(urdf_joint("j", "revolute", "base", "tpi", kLimit)),
