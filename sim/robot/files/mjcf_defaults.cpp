@@ -37,6 +37,7 @@ MjcfDefaults::MjcfDefaults(const XmlElement& root) {
     if (angle == "radian") angle_unit_ = 1.0;
     if (angle == "degree") angle_unit_ = std::numbers::pi / 180.0;
     if (compiler.has("autolimits")) autolimits_ = compiler.text("autolimits") != "false";
+    if (compiler.has("fitaabb")) fits_bounds_ = compiler.text("fitaabb") == "true";
     mesh_folder_ = compiler.text_or("meshdir", compiler.text_or("assetdir", mesh_folder_));
     euler_order_ = compiler.text_or("eulerseq", euler_order_);
     if (euler_order_.size() != 3 || euler_order_.find_first_not_of("xyzXYZ") != std::string::npos) {

@@ -30,6 +30,7 @@ class MjcfDefaults {
 
   double angle_unit() const { return angle_unit_; }  // rad
   bool autolimits() const { return autolimits_; }
+  bool fits_bounds() const { return fits_bounds_; }  // as of fitted_geom
   const std::string& mesh_folder() const { return mesh_folder_; }
 
  private:
@@ -43,6 +44,7 @@ class MjcfDefaults {
   std::map<std::string, Class> classes_;
   double angle_unit_ = 1.0;
   bool autolimits_ = true;
+  bool fits_bounds_ = false;
   std::string euler_order_ = "xyz";
   std::string mesh_folder_;
 };

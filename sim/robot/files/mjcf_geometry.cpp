@@ -1,6 +1,7 @@
 #include "sim/robot/files/mjcf_geometry.h"
 
 #include "sim/base/range.h"
+#include "sim/robot/files/mjcf_fitting.h"
 #include "sim/robot/files/package_folders.h"
 #include "sim/robot/files/shape_mesh.h"
 #include "sim/shape/basic_shapes.h"
@@ -133,15 +134,23 @@ TriangleMesh MjcfGeometry::read_geom(const XmlElement& geom, const std::string& 
   if (type == "plane") return {};
   Pose X = defaults_.pose(geom, childclass);
   if (type == "mesh") return transformed(read_asset(geom, childclass), X);
-  if (has_mesh) {
-    remarks_.push_back(geom.place() + ": the mesh itself is taken, not a " + type +
-                       " that is fitted to it");
-    return transformed(read_asset(geom, childclass), X);
-  }
   const auto at = defaults_.saying("size", geom, childclass);
-  if (!at) geom.fail("attribute size is missing");
-  std::vector<double> size = at->numbers("size");
-  if (const auto ends = defaults_.saying("fromto", geom, childclass)) {
+  std::vector<double> size;
+  if (has_mesh) {
+    const TriangleMesh whole = read_asset(geom, childclass);
+    if (whole.empty()) return {};
+    const FittedGeom fitted =
+        with_field_errors(geom, [&] { return fitted_geom(whole, type, defaults_.fits_bounds()); });
+    const auto factor = defaults_.saying("fitscale", geom, childclass);
+    for (const double half : fitted.size) {
+      size.push_back(half * (factor ? factor->number("fitscale") : 1.0));
+    }
+    X = X * fitted.X_MG;
+  } else {
+    if (!at) geom.fail("attribute size is missing");
+    size = at->numbers("size");
+  }
+  if (const auto ends = defaults_.saying("fromto", geom, childclass); ends && !has_mesh) {
     const Span span = span_of(*ends);
     X = span.X;
     const bool round = type == "capsule" || type == "cylinder";
@@ -149,10 +158,11 @@ TriangleMesh MjcfGeometry::read_geom(const XmlElement& geom, const std::string& 
     size.back() = span.half_length;
   }
   const auto need = [&](std::size_t count) {
-    if (size.size() < count) at->fail("too few sizes for a " + type, at->text("size"));
+    if (size.size() < count) geom.fail("too few sizes for a " + type, at ? at->text("size") : "");
   };
   TriangleMesh mesh = with_field_errors(geom, [&] {
     if (type == "sphere") return need(1), sphere_mesh(size[0]);
+    if (type == "capsule" && has_mesh && size[1] == 0.0) return sphere_mesh(size[0]);
     if (type == "capsule") return need(2), capsule_mesh(size[0], 2.0 * size[1]);
     if (type == "cylinder") return need(2), cylinder_mesh(size[0], 2.0 * size[1]);
     if (type == "box") return need(3), make_box({2.0 * size[0], 2.0 * size[1], 2.0 * size[2]});

@@ -235,9 +235,8 @@ TEST(MjcfFile, DetailsDoNotRefuseTheRobot) {
   ASSERT_EQ(robot.dofs.size(), 2U);
   EXPECT_EQ(robot.dofs[0].lower, -1.0);
   EXPECT_EQ(robot.dofs[0].upper, 1.0);
-  EXPECT_EQ(robot.links[1].mesh.triangles.size(), 4U);
+  EXPECT_GT(robot.links[1].mesh.triangles.size(), 100U);  // a capsule that is fitted to it
   EXPECT_TRUE(has_note(robot, "may slide 1 m to either side"));
-  EXPECT_TRUE(has_note(robot, "the mesh itself is taken, not a capsule"));
   EXPECT_TRUE(has_note(robot, "joint k follows j, a joint of another type"));
 }
 
