@@ -20,7 +20,7 @@ std::vector<std::string> row_of(const CatalogueHand& hand, std::size_t objects) 
     row.insert(row.end(), objects + 1, "");
     return row;
   }
-  row.push_back(formatted("%d joints on %d drives, %d preshapes, %d notes, %.1f s", hand.joints,
+  row.push_back(formatted("joints: %d, drives: %d, preshapes: %d, notes: %d, %.1f s", hand.joints,
                           hand.drives, hand.preshapes, hand.notes, hand.seconds));
   row.push_back(formatted("%.0f mm", 1e3 * hand.aperture));
   for (const CatalogueGrasps& grasps : hand.grasps) row.push_back(grasps_text(grasps));

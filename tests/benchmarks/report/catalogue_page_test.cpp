@@ -20,9 +20,10 @@ TEST(CataloguePage, SaysHowEachHandWasReadAndWhatItHolds) {
   const std::string page = catalogue_page({claw, jaw}, 300);
   EXPECT_NE(page.find("| hand: source | read as | opens | can | sofa |"), std::string::npos)
       << page;
-  EXPECT_NE(page.find("| jaw: maker/jaw.urdf | 2 joints on 1 drives, 3 preshapes, 4 notes, 0.2 s | "
-                      "85 mm | 0.200, 50 % | – |"),
-            std::string::npos)
+  EXPECT_NE(
+      page.find("| jaw: maker/jaw.urdf | joints: 2, drives: 1, preshapes: 3, notes: 4, 0.2 s | "
+                "85 mm | 0.200, 50 % | – |"),
+      std::string::npos)
       << page;
   EXPECT_NE(page.find("| claw: maker/claw.xml | refused: no joint moves |  |  |  |"),
             std::string::npos)
