@@ -6,6 +6,7 @@
 // FOLDER: for the files, which stay there; COUNT: how many trajectories of all scenes together.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -158,10 +159,11 @@ void check_file(const CompiledScene& scene, const std::filesystem::path& file, C
   }
 }
 
-void check_scene(const std::string& name, const std::filesystem::path& folder, int most,
-                 Checked& checked) {
+void check_scene(const std::string& name, std::uint64_t seed, const std::filesystem::path& folder,
+                 int most, Checked& checked) {
   const CompiledScene scene = compile(load_scene(name));
   PlanOptions options;
+  options.seed = seed;
   options.volumes = false;
   options.paths = GraspPathOptions{};
   options.rank.top = most;
@@ -179,27 +181,37 @@ void check_scene(const std::string& name, const std::filesystem::path& folder, i
   }
 }
 
+void add(const Checked& one, Checked& all) {
+  all.trajectories += one.trajectories;
+  all.postures += one.postures;
+  all.colliding += one.colliding;
+  all.beyond += one.beyond;
+  all.jumps = std::max(all.jumps, one.jumps);
+}
+
+void print(const std::string& name, const Checked& checked) {
+  std::printf("| %s | %d | %ld | %d | %d |\n", name.c_str(), checked.trajectories, checked.postures,
+              checked.colliding, checked.beyond);
+  std::fflush(stdout);
+}
+
+// Scene after scene with one seed, then with the next, until there are enough.
 void run(const std::filesystem::path& folder, int count, const std::vector<std::string>& scenes) {
+  constexpr std::uint64_t kMostSeeds = 20;
+  constexpr int kMostOfAPlan = 50;
   Checked all;
   std::printf("| scene | trajectories | postures | that collide | that break a limit |\n");
   std::printf("|---|---|---|---|---|\n");
-  for (std::size_t s = 0; s < scenes.size() && all.trajectories < count; ++s) {
-    Checked checked;
-    const int left = count - all.trajectories;
-    const int scenes_left = static_cast<int>(scenes.size() - s);
-    check_scene(scenes[s], folder / std::to_string(s), (left + scenes_left - 1) / scenes_left,
-                checked);
-    std::printf("| %s | %d | %ld | %d | %d |\n", scenes[s].c_str(), checked.trajectories,
-                checked.postures, checked.colliding, checked.beyond);
-    std::fflush(stdout);
-    all.trajectories += checked.trajectories;
-    all.postures += checked.postures;
-    all.colliding += checked.colliding;
-    all.beyond += checked.beyond;
-    all.jumps = std::max(all.jumps, checked.jumps);
+  for (std::uint64_t seed = 1; seed <= kMostSeeds; ++seed) {
+    for (std::size_t s = 0; s < scenes.size() && all.trajectories < count; ++s) {
+      Checked checked;
+      check_scene(scenes[s], seed, folder / (std::to_string(seed) + "_" + std::to_string(s)),
+                  std::min(kMostOfAPlan, count - all.trajectories), checked);
+      print(scenes[s], checked);
+      add(checked, all);
+    }
   }
-  std::printf("| all | %d | %ld | %d | %d |\n", all.trajectories, all.postures, all.colliding,
-              all.beyond);
+  print("all", all);
   std::printf("Messages begin at most %.2g rad or m from where the one before ended.\n", all.jumps);
 }
 

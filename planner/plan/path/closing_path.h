@@ -14,7 +14,8 @@ struct ClosingPath {
 };
 
 // Each joint of `hand` moves from `from` to `to` (one value a joint [rad or m]) at its closing
-// velocity and then waits there; the path has a posture at every time at which a joint arrives.
+// velocity and then waits there; the path has a posture at every time at which a joint arrives,
+// none of them within 1 ms of each other: joints that arrive so close together do so with the last.
 // Joints that do not close, or end on the opening side, take one second.
 ClosingPath closing_path(const Robot& hand, const std::vector<double>& from,
                          const std::vector<double>& to);
