@@ -100,6 +100,8 @@ Planned plan_with(const Robot& hand, const GraspableBody& object, int trials) {
   PlanOptions options;
   options.search.trials = trials;
   options.volumes = false;
+  // Else the first grasp is the one that moves a free object least, not that of the best epsilon.
+  options.free_closing = 0;
   const PlanResult result = plan(compile(scene), options);
   Planned planned;
   int made = 0;
