@@ -62,8 +62,13 @@ int likeness(const Robot& robot, const Bends& a, const Bends& b) {
     const DegreeOfFreedom& q = robot.dofs[b[k].dof];
     if (slides(robot, a[k].dof) != slides(robot, b[k].dof)) return 0;
     const auto alike = [](double x, double y) { return std::abs(x - y) <= kSameRange; };
-    const bool same = alike(p.lower, q.lower) && alike(p.upper, q.upper);
-    const bool mirrored = alike(p.lower, -q.upper) && alike(p.upper, -q.lower);
+    // From the initial values: a joint's zero may be anywhere.
+    const double p_lower = p.lower - p.initial;
+    const double p_upper = p.upper - p.initial;
+    const double q_lower = q.lower - q.initial;
+    const double q_upper = q.upper - q.initial;
+    const bool same = alike(p_lower, q_lower) && alike(p_upper, q_upper);
+    const bool mirrored = alike(p_lower, -q_upper) && alike(p_upper, -q_lower);
     if (!same && !mirrored) return 0;
     if (std::abs(one_sidedness(p)) < kOneSided || same == mirrored) continue;
     // In terms of the senses, not of the values.

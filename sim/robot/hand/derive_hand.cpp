@@ -134,14 +134,75 @@ void state_velocities(const ClosingDofs& closing, Robot& robot) {
   }
 }
 
+// A degree of freedom, and the limit to which it goes.
+struct Turn {
+  std::size_t dof = 0;
+  double limit = 0.0;  // [rad]
+};
+
 // Degrees of freedom that take part in one way to spread a hand, and its name.
 struct Spread {
   std::string name;
-  std::vector<std::size_t> dofs;
+  std::vector<Turn> turns;
 };
 
-// The posing degrees of freedom that leave the thumb alone spread the fingers together, each
-// towards its farther limit; each of the thumb's is a way of its own.
+// The sum of the distances between the tips of all fingers but the thumb [m].
+double spread_of(const std::vector<Vector3>& tips, std::size_t thumb) {
+  double sum = 0.0;
+  for (std::size_t a = 0; a < tips.size(); ++a) {
+    for (std::size_t b = a + 1; b < tips.size(); ++b) {
+      if (a != thumb && b != thumb) sum += (tips[a] - tips[b]).norm();
+    }
+  }
+  return sum;
+}
+
+// The farther limit; nothing where both are about as far. Which of these is the upper one is a
+// matter of how the joint is written.
+std::optional<double> farther_limit(const DegreeOfFreedom& dof, double from) {
+  constexpr double kEven = 0.1;  // of the range
+  const double up = dof.upper - from;
+  const double down = from - dof.lower;
+  if (std::abs(up - down) <= kEven * (dof.upper - dof.lower)) return std::nullopt;
+  return up > down ? dof.upper : dof.lower;
+}
+
+// The farther limit; of two that are about as far the one that takes the tips apart, and nothing
+// for a finger between others that moves from one to the other.
+std::optional<double> fanning_limit(const Robot& robot, const HandParts& parts,
+                                    const Opposition& best, std::size_t d) {
+  constexpr double kApart = 0.1;  // of how far the tip goes
+  const DegreeOfFreedom& dof = robot.dofs[d];
+  if (const auto limit = farther_limit(dof, best.dofs[d])) return limit;
+  const auto tips = [&](double value) {
+    std::vector<double> dofs = best.dofs;
+    dofs[d] = value;
+    return tips_at(robot, parts, dofs);
+  };
+  const std::vector<Vector3> upper = tips(dof.upper);
+  const std::vector<Vector3> lower = tips(dof.lower);
+  double way = 0.0;
+  for (std::size_t f = 0; f < upper.size(); ++f) way = std::max(way, (upper[f] - lower[f]).norm());
+  const double apart = spread_of(upper, best.thumb) - spread_of(lower, best.thumb);
+  if (!(std::abs(apart) > kApart * way)) return std::nullopt;
+  return apart > 0.0 ? dof.upper : dof.lower;
+}
+
+// The farther limit, or of two that are about as far the one where thumb and others oppose better.
+double opposing_limit(const Robot& robot, const HandParts& parts, const ClosingDofs& closing,
+                      const Opposition& best, std::size_t d) {
+  const DegreeOfFreedom& dof = robot.dofs[d];
+  if (const auto limit = farther_limit(dof, best.dofs[d])) return *limit;
+  const auto score = [&](double value) {
+    std::vector<double> dofs = best.dofs;
+    dofs[d] = value;
+    return opposition_of(robot, parts, closing, best.thumb, dofs).score;
+  };
+  return score(dof.upper) >= score(dof.lower) ? dof.upper : dof.lower;
+}
+
+// The posing degrees of freedom that leave the thumb alone spread the fingers together; each of the
+// thumb's, and of the only finger beside it, is a way of its own.
 std::vector<Spread> spreads_of(const Robot& robot, const HandParts& parts,
                                const ClosingDofs& closing, const Opposition& best) {
   const std::vector<int>& thumb = parts.fingers[best.thumb].joints;
@@ -150,13 +211,14 @@ std::vector<Spread> spreads_of(const Robot& robot, const HandParts& parts,
     const bool of_thumb = std::any_of(thumb.begin(), thumb.end(), [&](int joint) {
       return index(robot.joints[index(joint)].dof) == d;
     });
-    if (of_thumb) {
-      spreads.push_back({robot.dofs[d].name, {d}});
-    } else {
-      spreads.front().dofs.push_back(d);
+    if (of_thumb || parts.fingers.size() < 3) {
+      spreads.push_back(
+          {robot.dofs[d].name, {{d, opposing_limit(robot, parts, closing, best, d)}}});
+    } else if (const auto limit = fanning_limit(robot, parts, best, d)) {
+      spreads.front().turns.push_back({d, *limit});
     }
   }
-  if (spreads.front().dofs.empty()) spreads.erase(spreads.begin());
+  if (spreads.front().turns.empty()) spreads.erase(spreads.begin());
   return spreads;
 }
 
@@ -173,14 +235,12 @@ std::vector<Opening> openings_of(const Robot& robot, const HandParts& parts,
   for (const Spread& spread : spreads_of(robot, parts, closing, best)) {
     for (const double part : {0.25, 1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0}) {
       std::vector<double> dofs = best.dofs;
-      for (const std::size_t d : spread.dofs) {
-        const DegreeOfFreedom& dof = robot.dofs[d];
-        const bool up = dof.upper - best.dofs[d] >= best.dofs[d] - dof.lower;
-        dofs[d] += part * ((up ? dof.upper : dof.lower) - best.dofs[d]);
+      for (const Turn& turn : spread.turns) {
+        dofs[turn.dof] += part * (turn.limit - best.dofs[turn.dof]);
       }
       Opposition other = opposition_of(robot, parts, closing, best.thumb, dofs);
       if (other.score < best.score - kScoreGivenUp) continue;
-      const double angle = std::abs(dofs[spread.dofs.front()]) / kDegree;
+      const double angle = std::abs(dofs[spread.turns.front().dof]) / kDegree;
       openings.push_back({spread.name + formatted("_%.0f", angle), std::move(other)});
     }
   }
