@@ -14,11 +14,17 @@ class FingertipGap {
  public:
   FingertipGap(const Robot& robot, const HandParts& parts);
 
-  // The distance for one value per degree of freedom, 0: they touch or cross [m].
+  // The distance for one value per degree of freedom, 0: they touch or cross [m]. Of a jaw that
+  // slides it is how far it may slide, to either side: it stands closer to the palm that it slides
+  // above than to what it closes on.
   double at(const std::vector<double>& dofs) const;
 
  private:
+  double distance(const Pose& X_BT, const std::vector<Pose>& X_BL) const;
+  double way(const Vector3& along, const Pose& X_BT, const std::vector<Pose>& X_BL) const;
+
   const Robot& robot_;
+  int slide_ = -1;  // the last joint, where it slides
   int tip_link_;
   std::vector<int> palm_links_;
   ProximityMesh tip_;

@@ -16,6 +16,7 @@ constexpr double kParallel = 0.9;      // cosine between bending axes
 constexpr double kSideways = 0.5;      // most that the closing axis may be along them
 constexpr double kSame = 0.985;        // cosine of 10 degrees: of directions that count as one
 constexpr double kNoDirection = 1e-9;  // [m]
+constexpr double kMet = 1e-6;          // distance of the only finger from the palm [m]
 
 Vector3 without(const Vector3& v, const Vector3& unit) { return v - unit.dot(v) * unit; }
 
@@ -210,7 +211,7 @@ HandAxes find_hand_axes(const Robot& robot, const HandParts& parts, const Closin
     const FingertipGap gap(robot, parts);
     for (int k = 1; k <= 64; ++k) {
       const auto dofs = closed_for(robot, closing, end * k / 64, best.dofs);
-      if (gap.at(dofs) <= 0.0) break;
+      if (gap.at(dofs) <= kMet) break;
       meeting = end * k / 64;
     }
   }

@@ -82,17 +82,11 @@ TEST(DerivedHand, HasPreshapesInsideLimitsWithoutCollisionAndOrderedWidths) {
 }
 
 TEST(DerivedHand, TurnsWithTheRobot) {
-  Robot turned = without_hand("barrett");
-  const Hand hand = *with_hand(turned).hand;
+  const Robot robot = without_hand("barrett");
+  const Hand hand = *with_hand(robot).hand;
   const Pose X =
       translation({0.1, -0.2, 0.3}) * Eigen::AngleAxisd(0.7, Vector3(1.0, 2.0, -0.5).normalized());
-  for (Link& link : turned.links) {
-    if (link.joint < 0) link.mesh = transformed(link.mesh, X);
-  }
-  for (Joint& joint : turned.joints) {
-    if (joint.parent < 0) joint.X_PJ = X * joint.X_PJ;
-  }
-  const Hand other = *with_hand(turned).hand;
+  const Hand other = *with_hand(turned_hand(robot, X)).hand;
   EXPECT_NEAR((other.approach - X.linear() * hand.approach).norm(), 0.0, 1e-9);
   EXPECT_NEAR((other.closing - X.linear() * hand.closing).norm(), 0.0, 1e-9);
   EXPECT_NEAR((other.origin - X * hand.origin).norm(), 0.0, 1e-9);
@@ -136,7 +130,7 @@ TEST(DerivedHand, OfMadeFingersFacesWhereTheyBend) {
   Random random(5);
   for (int hand = 0; hand < kHands; ++hand) {
     const std::vector<MadeFinger> fingers = random_fingers(random);
-    const std::size_t joints = kPhalanges * fingers.size();
+    const std::size_t joints = joint_count(fingers);
     const Robot robot = with_hand(made_hand(fingers, random_writings(random, joints)));
     EXPECT_GT(robot.hand->approach.x(), 0.7) << hand;
     EXPECT_GT(std::abs(robot.hand->closing.z()), 0.7) << hand;
@@ -144,6 +138,56 @@ TEST(DerivedHand, OfMadeFingersFacesWhereTheyBend) {
     EXPECT_GT(open.max_width, 0.05) << hand;
     EXPECT_LT(open.max_width, 0.2) << hand;
     EXPECT_GT(open.depth, 0.01) << hand;
+  }
+}
+
+void expect_same_hand(const Hand& hand, const Hand& other, const Pose& X, const std::string& what) {
+  EXPECT_NEAR((other.approach - X.linear() * hand.approach).norm(), 0.0, 1e-6) << what;
+  EXPECT_NEAR((other.closing - X.linear() * hand.closing).norm(), 0.0, 1e-6) << what;
+  EXPECT_NEAR((other.origin - X * hand.origin).norm(), 0.0, 1e-6) << what;
+  ASSERT_EQ(other.preshapes.size(), hand.preshapes.size()) << what;
+  for (std::size_t k = 0; k < hand.preshapes.size(); ++k) {
+    EXPECT_NEAR(other.preshapes[k].max_width, hand.preshapes[k].max_width, 1e-6) << what;
+    EXPECT_NEAR(other.preshapes[k].min_width, hand.preshapes[k].min_width, 1e-6) << what;
+    EXPECT_NEAR(other.preshapes[k].depth, hand.preshapes[k].depth, 1e-6) << what;
+  }
+}
+
+Pose random_turn(Random& random) {
+  const Matrix3 R = random.rotation();
+  return translation(random.uniform(0.0, 0.3) * Vector3(1.0, -2.0, 0.5)) * Pose(R);
+}
+
+// Also of fingers that swing sideways as far to one side as to the other, with joints whose zero is
+// anywhere.
+TEST(DerivedHand, OfMadeFingersIsTheSameHoweverJointsAreWritten) {
+  constexpr int kHands = 6;
+  Random random(6);
+  for (int hand = 0; hand < kHands; ++hand) {
+    std::vector<MadeFinger> fingers = random_fingers(random);
+    for (MadeFinger& finger : fingers) finger.abducts = hand % 2 == 0;
+    const std::size_t joints = joint_count(fingers);
+    const Robot plain = with_hand(made_hand(fingers, std::vector<Writing>(joints)));
+    const Pose X = random_turn(random);
+    const std::vector<Writing> writings =
+        with_random_starts(random, random_writings(random, joints));
+    const Robot other = with_hand(turned_hand(made_hand(fingers, writings), X));
+    expect_same_hand(*plain.hand, *other.hand, X, "hand " + std::to_string(hand));
+  }
+}
+
+TEST(DerivedHand, OfAMadeFixedJawIsTheSameHoweverItsJointIsWritten) {
+  constexpr int kHands = 20;
+  Random random(7);
+  for (int hand = 0; hand < kHands; ++hand) {
+    const double opening = random.uniform(0.03, 0.1);
+    const Robot plain = with_hand(made_fixed_jaw(opening, {}));
+    EXPECT_GT(plain.hand->approach.z(), 0.9) << hand;
+    EXPECT_NEAR(plain.hand->preshapes.front().max_width, opening, 1e-6) << hand;
+    const Pose X = random_turn(random);
+    const Writing writing = with_random_starts(random, random_writings(random, 1)).front();
+    const Robot other = with_hand(turned_hand(made_fixed_jaw(opening, writing), X));
+    expect_same_hand(*plain.hand, *other.hand, X, "jaw " + std::to_string(hand));
   }
 }
 
