@@ -225,14 +225,24 @@ std::vector<Spread> spreads_of(const Robot& robot, const HandParts& parts,
 struct Opening {
   std::string name;
   Opposition opposition;
+  std::size_t place = 0;  // among those of the same spread, the best first
 };
 
-// The best opening, and those beside it at parts of the way towards each spread's limit.
+// The better ones first.
+void sort_openings(std::vector<Opening>::iterator begin, std::vector<Opening>::iterator end) {
+  std::stable_sort(begin, end, [](const Opening& a, const Opening& b) {
+    return a.opposition.score > b.opposition.score;
+  });
+}
+
+// The best opening, and those beside it at parts of the way towards each spread's limit: the best
+// of each spread, then the second ones, since those of one spread are much alike.
 std::vector<Opening> openings_of(const Robot& robot, const HandParts& parts,
                                  const ClosingDofs& closing, const Opposition& best) {
   std::vector<Opening> openings = {{"open", best}};
   if (parts.fingers.size() < 2) return openings;
   for (const Spread& spread : spreads_of(robot, parts, closing, best)) {
+    const std::size_t first = openings.size();
     for (const double part : {0.25, 1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0}) {
       std::vector<double> dofs = best.dofs;
       for (const Turn& turn : spread.turns) {
@@ -243,10 +253,12 @@ std::vector<Opening> openings_of(const Robot& robot, const HandParts& parts,
       const double angle = std::abs(dofs[spread.turns.front().dof]) / kDegree;
       openings.push_back({spread.name + formatted("_%.0f", angle), std::move(other)});
     }
+    sort_openings(openings.begin() + static_cast<std::ptrdiff_t>(first), openings.end());
+    for (std::size_t k = first; k < openings.size(); ++k) openings[k].place = k - first;
   }
-  std::stable_sort(openings.begin() + 1, openings.end(), [](const Opening& a, const Opening& b) {
-    return a.opposition.score > b.opposition.score;
-  });
+  sort_openings(openings.begin() + 1, openings.end());
+  std::stable_sort(openings.begin() + 1, openings.end(),
+                   [](const Opening& a, const Opening& b) { return a.place < b.place; });
   return openings;
 }
 
