@@ -59,9 +59,9 @@ TEST(Corpora, HaveNoFolderThatNoReaderReads) {
 
 // Of the ways in which messages say what would be right.
 bool says_what_to_do(const std::string& message) {
-  constexpr std::array<std::string_view, 12> kWays = {
-      " must ",     " needs ", " need ", " known ", "one of ",   " only ",
-      "not beside", "lacks ",  "save ",  "state ",  "GRASPIT (", "cannot be read: "};
+  constexpr std::array<std::string_view, 13> kWays = {
+      " must ", " needs ", " need ", " known ",   "one of ",          " only ",    "not beside",
+      "lacks ", "save ",   "state ", "GRASPIT (", "cannot be read: ", "say where "};
   return std::any_of(kWays.begin(), kWays.end(),
                      [&](std::string_view way) { return message.find(way) != std::string::npos; });
 }

@@ -130,7 +130,7 @@ bool has_foreign_robot_name(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension == ".urdf" || extension == ".sdf" || extension == ".xacro" ||
-         extension == ".mjcf" || extension == ".xml";
+         extension == ".world" || extension == ".mjcf" || extension == ".xml";
 }
 
 std::optional<Platform> read_foreign_robot(const std::filesystem::path& file,
@@ -161,7 +161,8 @@ std::optional<Platform> read_foreign_robot(const std::filesystem::path& file,
     return platform_of(read_urdf(xml, all), all.scale, srdf_of(file, all), sidecar);
   }
   if (kind == "sdf") {
-    return platform_of(read_urdf(urdf_of_sdf(xml), all), all.scale, srdf_of(file, all), sidecar);
+    return platform_of(read_urdf(urdf_of_sdf(xml, all.packages), all), all.scale,
+                       srdf_of(file, all), sidecar);
   }
   if (kind == "mujoco") return platform_of(read_mjcf(xml), all.scale, {}, sidecar);
   xml.root().fail(

@@ -9,8 +9,8 @@
 
 namespace prehend {
 
-// Whether the file's name is one of such formats: .urdf, .xacro, .sdf, .mjcf or .xml, in upper or
-// lower case.
+// Whether the file's name is one of such formats: .urdf, .xacro, .sdf, .world, .mjcf or .xml, in
+// upper or lower case.
 bool has_foreign_robot_name(const std::filesystem::path& file);
 
 // The robot of a file in another program's format (docs/reference/urdf-files.md,

@@ -13,6 +13,7 @@
 #include "sim/base/range.h"
 #include "sim/base/xml/xml_maker.h"
 #include "sim/base/xml/xml_text.h"
+#include "sim/robot/files/sdf_parts.h"
 #include "sim/robot/files/urdf_geometry.h"
 
 namespace prehend {
@@ -25,16 +26,10 @@ constexpr const char* kModelFrame = "__model__";
 class SdfModel {
  public:
   explicit SdfModel(const XmlFile& file)
-      : root_(file.root()), model_(model_of(root_)), maker_(file.path()) {
+      : root_(file.root()), model_(root_["model"]), maker_(file.path()) {
     // 1.10 comes after 1.9.
     const std::string version = root_.text_or("version", "1.7");
     is_early_ = version == "1.4" || version == "1.3" || version == "1.2" || version == "1.0";
-    for (const char* tag : {"include", "model"}) {
-      if (const auto inside = model_.child(tag)) {
-        inside->fail("models inside a model cannot be read; save it as one (gz sdf -p FILE)",
-                     inside->text_or("name", ""));
-      }
-    }
     for (const char* tag : {"link", "joint", "frame"}) {
       for (const XmlElement& element : model_.children(tag)) {
         const std::string name = element.text("name");
@@ -47,31 +42,22 @@ class SdfModel {
     for (const auto& [name, element] : frames_) (void)pose_in_model(element, 0);
     maker_.open(model_, "robot");
     maker_.attribute("name", model_.text_or("name", "model"));
-    // A link hangs on the frame of its joint.
+    // A link hangs on the frame of its first joint.
+    std::vector<XmlElement> carriers;
+    std::vector<XmlElement> closers;
     for (const XmlElement& joint : model_.children("joint")) {
-      if (!is_of_world(joint)) X_MT_[linked(joint, "child")] = pose_in_model(joint, 0);
+      if (is_of_world(joint)) continue;
+      const bool is_first = X_MT_.emplace(linked(joint, "child"), pose_in_model(joint, 0)).second;
+      (is_first ? carriers : closers).push_back(joint);
     }
     for (const XmlElement& link : model_.children("link")) write_link(link);
-    for (const XmlElement& joint : model_.children("joint")) {
-      if (!is_of_world(joint)) write_joint(joint);
-    }
+    for (const XmlElement& joint : carriers) write_joint(joint);
+    for (const XmlElement& joint : closers) write_loop(joint);
     maker_.close();
     return maker_.finished();
   }
 
  private:
-  static XmlElement model_of(const XmlElement& root) {
-    std::vector<XmlElement> models = root.children("model");
-    for (const XmlElement& world : root.children("world")) {
-      for (const XmlElement& model : world.children("model")) models.push_back(model);
-    }
-    if (models.empty()) root.fail("there is no <model> inside");
-    if (models.size() > 1) {
-      models[1].fail("there are several models; give a file of one", models[1].text_or("name", ""));
-    }
-    return models.front();
-  }
-
   // Of a joint, "parent" or "child": a link. Frames that are attached to one stand for it.
   std::string linked(const XmlElement& joint, const char* tag) const {
     const XmlElement at = joint[tag];
@@ -250,6 +236,19 @@ class SdfModel {
     maker_.close();
   }
 
+  // The link is carried by another joint already.
+  void write_loop(const XmlElement& joint) {
+    maker_.open(joint, "loop_joint");
+    maker_.attribute("name", joint.text("name"));
+    maker_.attribute("type", joint.text("type"));
+    for (const auto& [tag, of] : {std::pair{"link1", "parent"}, std::pair{"link2", "child"}}) {
+      const std::string link = linked(joint, of);
+      const Vector3 p = tree_frame(link).inverse() * pose_in_model(joint, 0).translation();
+      element(joint, tag, {{"link", link}, {"xyz", vector_text(p)}});
+    }
+    maker_.close();
+  }
+
   // Before 1.5 axes are those of the model.
   Vector3 axis_in_joint(const XmlElement& joint, const XmlElement& axis) const {
     const std::optional<XmlElement> xyz = axis.child("xyz");
@@ -301,6 +300,9 @@ class SdfModel {
 
 }  // namespace
 
-XmlFile urdf_of_sdf(const XmlFile& file) { return SdfModel(file).urdf(); }
+XmlFile urdf_of_sdf(const XmlFile& file, const PackageFolders& packages) {
+  const XmlFile whole = whole_sdf(file, packages);
+  return SdfModel(whole).urdf();
+}
 
 }  // namespace prehend

@@ -9,6 +9,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/range.h"
+#include "sim/robot/files/loop_closure.h"
 #include "sim/robot/files/urdf_geometry.h"
 
 namespace prehend {
@@ -23,6 +24,7 @@ constexpr double kShortestAxis = 1e-100;
 const std::set<std::string>& silent_tags() {
   static const std::set<std::string> tags = {"link",
                                              "joint",
+                                             "loop_joint",
                                              "material",
                                              "transmission",
                                              "gazebo",
@@ -60,6 +62,7 @@ class UrdfReader {
   void read_limits(const XmlElement& element, bool continuous, TreeJoint& joint);
   void read_mimic(const XmlElement& element);
   void read_filter_groups();
+  void read_loops();
   int link_named(const XmlElement& element) const;
   void look_for_unread(const XmlElement& element);
   void note_all();
@@ -121,6 +124,7 @@ JointTree UrdfReader::read() {
   for (const XmlElement& joint : root_.children("joint")) read_mimic(joint);
   read_filter_groups();
   note_all();
+  read_loops();
   return std::move(tree_);
 }
 
@@ -246,6 +250,37 @@ void UrdfReader::read_mimic(const XmlElement& element) {
   joint.mimic = Mimic{.joint = found->second,
                       .ratio = mimic->number_or("multiplier", 1.0),
                       .offset = mimic->number_or("offset", 0.0)};
+}
+
+// Drake's way to close loops: a point of one link stays on one of another. What a transmission
+// moves is the drive.
+void UrdfReader::read_loops() {
+  std::vector<Loop> loops;
+  for (const XmlElement& element : root_.children("loop_joint")) {
+    const std::string type = element.text_or("type", "");
+    if (type != "revolute" && type != "continuous" && type != "ball") {
+      tree_.notes.push_back(element.place() + ": a loop that is not closed by a hinge is left out");
+      continue;
+    }
+    const XmlElement first = element["link1"];
+    const XmlElement second = element["link2"];
+    const auto point = [](const XmlElement& link) {
+      const Vector3 p = link.vector3_or("xyz", Vector3::Zero());
+      if (!(p.cwiseAbs().maxCoeff() <= kFarthest)) link.fail("must not be farther away than 1e6 m");
+      return p;
+    };
+    loops.push_back({link_named(first), link_named(second), point(first), point(second)});
+  }
+  if (loops.empty()) return;
+  (void)root_of(tree_);
+  std::set<int> driven;
+  for (const XmlElement& transmission : root_.children("transmission")) {
+    for (const XmlElement& joint : transmission.children("joint")) {
+      const auto found = joint_of_.find(joint.text_or("name", ""));
+      if (found != joint_of_.end()) driven.insert(found->second);
+    }
+  }
+  close_loops(loops, driven, tree_);
 }
 
 // Drake's way to exempt pairs of links: each group names groups that its members are not checked

@@ -105,7 +105,12 @@ struct BadSdf {
 TEST(SdfFile, MistakesAreNamed) {
   const std::vector<BadSdf> all = {
       {"<include><uri>model://hand</uri></include>",
-       "line 2, <include>: models inside a model cannot be read; save it as one (gz sdf -p FILE)"},
+       "line 2, <include>: not found in or above the folder of the file, nor in ROS_PACKAGE_PATH; "
+       "say where its package is with --package hand=FOLDER (model://hand/model.sdf)"},
+      {"<include><uri>https://fuel/hand</uri></include>",
+       "line 2, <include>: only local models can be read: save it, and name its folder "
+       "(https://fuel/hand)"},
+      {"<model name=\"m\"/>", "line 2, <model>: must have a link (m)"},
       {"<link name=\"a\"/><link name=\"a\"/>", "line 2, <link>: name used twice (a)"},
       {"<link name=\"a\"><pose relative_to=\"b\">0 0 0 0 0 0</pose></link>",
        "line 2, <link>: no frame of this name (b)"},
