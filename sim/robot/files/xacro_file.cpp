@@ -1,6 +1,7 @@
 #include "sim/robot/files/xacro_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <deque>
 #include <map>
 #include <optional>
@@ -21,6 +22,7 @@ constexpr int kDeepestUse = 60;  // macros, blocks, includes and properties insi
 constexpr std::size_t kMostFiles = 200;
 constexpr int kMostSteps = 1000000;  // elements and properties that are looked at
 constexpr std::string_view kPrefix = "xacro:";
+constexpr const char* kNameOfElement = "xacro:name";
 
 class XacroScope;
 
@@ -237,9 +239,13 @@ class XacroExpansion {
   }
 
   void plain(const XmlElement& element, XacroScope& scope) {
-    maker_.open(element);
+    plain(element, element.name(), scope);
+  }
+
+  void plain(const XmlElement& element, const std::string& tag, XacroScope& scope) {
+    maker_.open(element, tag);
     for (const std::string& name : element.attributes()) {
-      if (name == "xmlns:xacro") continue;
+      if (name == "xmlns:xacro" || name == kNameOfElement) continue;
       maker_.attribute(name, at(element, [&] { return xacro_text(element.raw(name), scope); }));
     }
     const std::vector<XmlElement> children = element.children();
@@ -263,11 +269,29 @@ class XacroExpansion {
       return;
     }
     if (name == "call") return call(text(element, "macro", scope), element, scope);
-    if (name == "element" || name == "attribute") {
-      element.fail(
-          "cannot be read here; expand the file with xacro first (xacro FILE > FILE.urdf)");
+    if (name == "element") return plain(element, xml_name(element, kNameOfElement, scope), scope);
+    // Of the element around it, which is still open.
+    if (name == "attribute") {
+      const std::string attribute = xml_name(element, "name", scope);
+      maker_.attribute(attribute,
+                       at(element, [&] { return xacro_text(element.raw("value"), scope); }));
+      return;
     }
     call(name, element, scope);
+  }
+
+  // The name of an element or attribute that is computed.
+  std::string xml_name(const XmlElement& element, const std::string& attribute, XacroScope& scope) {
+    const std::string name = text(element, attribute, scope);
+    const auto is_of_name = [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == ':' || c > 127;
+    };
+    const bool is_name =
+        !name.empty() && std::all_of(name.begin(), name.end(), is_of_name) &&
+        (std::isalpha(static_cast<unsigned char>(name[0])) != 0 || name[0] == '_') &&
+        !name.starts_with(kPrefix);
+    if (!is_name) element.fail("must have a name that XML knows, not one of xacro", name);
+    return name;
   }
 
   void define(const XmlElement& element, XacroScope& scope) {

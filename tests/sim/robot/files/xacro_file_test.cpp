@@ -192,7 +192,11 @@ TEST(XacroFile, MistakesAreNamed) {
       {"<link name=\"$(arg side)\"/>", "the argument has no value: state it in \"arguments\""},
       {"<link name=\"$(env HOME)\"/>", "expand the file with xacro first"},
       {"<xacro:include filename=\"none.xacro\"/>", "relative to this one (none.xacro)"},
-      {"<xacro:element/>", "cannot be read here"},
+      {"<xacro:element/>", "line 2, <xacro:element>: attribute xacro:name is missing"},
+      {"<xacro:element xacro:name=\"a b\"/>",
+       "must have a name that XML knows, not one of xacro (a b)"},
+      {"<link><xacro:attribute name=\"xacro:if\" value=\"1\"/></link>",
+       "must have a name that XML knows, not one of xacro (xacro:if)"},
       {"<xacro:macro name=\"m\"/>",
        "the file only defines macros; give the one that calls them (m)"},
   };
@@ -200,6 +204,20 @@ TEST(XacroFile, MistakesAreNamed) {
     EXPECT_NE(xacro_complaint(text).find(words), std::string::npos)
         << text << ": " << xacro_complaint(text);
   }
+}
+
+// As in xacro: https://github.com/ros/xacro/wiki#dynamic-element-and-attribute-names
+TEST(XacroFile, ElementsAndAttributesMayHaveComputedNames) {
+  const XmlFile file = expanded(R"x(
+      <xacro:property name="kind" value="link"/>
+      <xacro:element xacro:name="${kind}" name="a"><x/>
+        <xacro:if value="1"><xacro:attribute name="${kind}_of" value="${1 + 2}"/></xacro:if>
+      </xacro:element>)x");
+  const auto made = file.root().children("link");
+  ASSERT_EQ(made.size(), 1U);
+  EXPECT_EQ(made[0].attributes(), (std::vector<std::string>{"name", "link_of"}));
+  EXPECT_EQ(made[0].text("link_of"), "3");
+  EXPECT_TRUE(made[0].child("x"));
 }
 
 // Files of a few lines that would never end.
