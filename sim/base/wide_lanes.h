@@ -19,6 +19,10 @@
 #define PREHEND_FOR_AVX2
 #endif
 
+// Before a function that takes or returns lanes: there is no calling convention then that could
+// differ between processors.
+#define PREHEND_INLINE [[gnu::always_inline]] inline
+
 namespace prehend {
 
 // The alignment is stated: gcc takes that of the vectors that the processor of the build has, also
@@ -43,7 +47,7 @@ inline bool has_avx2() {
 }
 
 // Replaces each number by its square root. Rounded correctly, so the same on all processors.
-[[gnu::always_inline]] inline void take_roots(Floats8& numbers) {
+PREHEND_INLINE void take_roots(Floats8& numbers) {
 #if defined(__x86_64__)
   __m128 halves[2];
   std::memcpy(halves, &numbers, sizeof numbers);
@@ -56,7 +60,7 @@ inline bool has_avx2() {
 }
 
 // A bit for each number that is not 0, as comparisons give them.
-[[gnu::always_inline]] inline unsigned bits_of(const Ints8& is) {
+PREHEND_INLINE unsigned bits_of(const Ints8& is) {
 #if defined(__x86_64__)
   __m128 halves[2];
   std::memcpy(halves, &is, sizeof is);

@@ -26,13 +26,7 @@ constexpr double kLeastCap = 1e-6;
 // Adds to `pair` the joints that move link `a` relative to link `b` (without b: relative to the
 // base). Joints on the common part of both paths move the links together and are left out.
 void add_motion(const CompiledLink& a, const CompiledLink* b, ArmPair& pair) {
-  std::size_t shared = 0;
-  if (b != nullptr) {
-    while (shared < a.joints.size() && shared < b->joints.size() &&
-           a.joints[shared] == b->joints[shared]) {
-      ++shared;
-    }
-  }
+  const std::size_t shared = b != nullptr ? shared_joints(a, *b) : 0;
   const auto add = [&](const CompiledLink& link) {
     pair.joints.insert(pair.joints.end(), link.joints.begin() + static_cast<std::ptrdiff_t>(shared),
                        link.joints.end());
@@ -186,21 +180,26 @@ void arm_link_poses(const CompiledArm& arm, const std::vector<double>& joints,
 
 GapAnswer gap_beyond(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL,
                      double distance, double relative_error) {
+  return find_gap_beyond(arm, pair, X_BL, distance, relative_error, {}).answer;
+}
+
+GapBeyond find_gap_beyond(const CompiledArm& arm, const ArmPair& pair,
+                          const std::vector<Pose>& X_BL, double distance, double relative_error,
+                          const TrianglePair& hint) {
   const CompiledLink& link = arm.links[index(pair.link)];
   const Pose& X = X_BL[index(pair.link)];
   const auto [other, X_BF] = other_of(arm, pair, X_BL);
   // The gap of the bounding balls is a lower bound of the gap and settles most queries.
   const double apart = (X * link.mesh.ball_center() - X_BF * other.mesh.ball_center()).norm();
-  if (apart - link.mesh.ball_radius() - other.mesh.ball_radius() > distance) {
-    return GapAnswer::larger;
-  }
+  const double of_balls = apart - link.mesh.ball_radius() - other.mesh.ball_radius();
+  if (of_balls > distance) return {GapAnswer::larger, of_balls, {}};
   // The cap is a little beyond the distance: a gap that reaches the cap is then proven to be larger
   // than the distance.
   const GapOptions options{
-      .cap = kCapBeyond * distance + kLeastCap, .relative_error = relative_error, .hint = {}};
+      .cap = kCapBeyond * distance + kLeastCap, .relative_error = relative_error, .hint = hint};
   const Gap gap = find_gap(other.mesh, link.mesh, X_BF.inverse() * X, options);
-  if (gap.lower > distance) return GapAnswer::larger;
-  return gap.lower <= 0.0 ? GapAnswer::meets : GapAnswer::not_proven;
+  if (gap.lower > distance) return {GapAnswer::larger, gap.lower, gap.pair};
+  return {gap.lower <= 0.0 ? GapAnswer::meets : GapAnswer::not_proven, gap.lower, gap.pair};
 }
 
 bool pair_meets(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL) {

@@ -9,6 +9,7 @@
 #include "sim/robot/platform.h"
 #include "sim/scene/compiled_link.h"
 #include "sim/scene/ids.h"
+#include "sim/shape/proximity.h"
 
 namespace prehend {
 
@@ -64,6 +65,16 @@ void arm_link_poses(const CompiledArm& arm, const std::vector<double>& joints,
 enum class GapAnswer { larger, not_proven, meets };
 GapAnswer gap_beyond(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL,
                      double distance, double relative_error);
+
+// The same, with what the query found. `hint`: see GapOptions.
+struct GapBeyond {
+  GapAnswer answer = GapAnswer::larger;
+  double at_least = 0.0;  // lower bound of the gap [m]
+  TrianglePair nearest;   // of the other body and the link
+};
+GapBeyond find_gap_beyond(const CompiledArm& arm, const ArmPair& pair,
+                          const std::vector<Pose>& X_BL, double distance, double relative_error,
+                          const TrianglePair& hint);
 
 // True when the surfaces cross or one body contains the other.
 bool pair_meets(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL);

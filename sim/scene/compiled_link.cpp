@@ -120,6 +120,12 @@ std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot) 
   return links;
 }
 
+std::size_t shared_joints(const CompiledLink& a, const CompiledLink& b) {
+  const auto differ =
+      std::mismatch(a.joints.begin(), a.joints.end(), b.joints.begin(), b.joints.end());
+  return static_cast<std::size_t>(differ.first - a.joints.begin());
+}
+
 std::vector<LinkPair> collision_pairs([[maybe_unused]] const std::vector<CompiledLink>& links,
                                       const Robot& robot) {
   assert(links.size() == robot.links.size());

@@ -32,6 +32,9 @@ struct CompiledLink : CollisionBody {
   std::optional<double> friction_deviation = {};  // of `friction`
 };
 
+// How many joints from the base on move both links alike.
+std::size_t shared_joints(const CompiledLink& a, const CompiledLink& b);
+
 // A pair of links checked for self-collision.
 struct LinkPair {
   LinkId a = {};

@@ -30,27 +30,28 @@ using PostureBox = std::vector<JointRange>;
 
 class Proof {
  public:
-  Proof(const CompiledArm& arm, const ArmPair& pair) : arm_(arm), pair_(pair) {
+  Proof(const CompiledArm& arm, const ArmPair& pair) : arm_(arm), pair_(pair), bound_(arm) {
     joints_ = joint_values(arm.robot(), arm.start);
+    turns_.assign(joints_.size(), 0.0);
   }
 
   // Whether the bodies are proven apart in the whole box.
   bool succeeds(const PostureBox& box) {
     if (++queries_ > kMostQueries) return false;
-    double farthest = 0.0;  // bound on how far a point is from where it is in the middle [m]
     std::size_t widest = 0;
     double widest_motion = -1.0;
     for (std::size_t k = 0; k < box.size(); ++k) {
       joints_[index(pair_.joints[k])] = 0.5 * (box[k].lower + box[k].upper);
-      const double motion = pair_.reach[k] * 0.5 * (box[k].upper - box[k].lower);
-      farthest += motion;
+      turns_[index(pair_.joints[k])] = 0.5 * (box[k].upper - box[k].lower);
+      const double motion = pair_.reach[k] * turns_[index(pair_.joints[k])];
       if (motion > widest_motion) {
         widest_motion = motion;
         widest = k;
       }
     }
-    arm_link_poses(arm_, joints_, X_BL_);
-    const GapAnswer gap = gap_beyond(arm_, pair_, X_BL_, farthest, kGapError);
+    robot_poses(arm_.robot(), joints_, poses_);
+    bound_.set(poses_, turns_, MotionBound::Motion::any);
+    const GapAnswer gap = gap_beyond(arm_, pair_, poses_.X_BL, bound_.farthest(pair_), kGapError);
     if (gap == GapAnswer::larger) return true;
     // Bodies that meet in the middle make the proof impossible; without joints there is nothing to
     // halve.
@@ -65,7 +66,9 @@ class Proof {
   const CompiledArm& arm_;
   const ArmPair& pair_;
   std::vector<double> joints_;
-  std::vector<Pose> X_BL_;
+  std::vector<double> turns_;  // from the middle of the box to its sides
+  RobotPoses poses_;
+  MotionBound bound_;
   int queries_ = 0;
 };
 

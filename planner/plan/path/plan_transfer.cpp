@@ -26,7 +26,7 @@ namespace og = ompl::geometric;
 
 // Longest edge that a planner adds in one step, as a length in the planner's space: each degree of
 // freedom counts with the farthest that it moves any point of the arm [m].
-constexpr double kLongestEdge = 0.8;
+constexpr double kLongestEdge = 0.5;
 
 // Iterations of the first of several searches by rrt_connect, and how many searches there are at
 // most.

@@ -7,12 +7,16 @@
 
 #include "sim/base/index.h"
 #include "sim/scene/compiled_arm.h"
+#include "sim/scene/motion_bound.h"
 
 namespace prehend {
 namespace {
 
 // Levels of the bisection that are searched breadth first: up to 15 postures of the path.
 constexpr int kCoarseLevels = 4;
+
+// Of the part of a stretch that a gap settles, this much is taken, against rounding.
+constexpr double kProvenPart = 0.999;
 
 // A path and the way of each joint along it: the sum of its motions back and forth since the start.
 // A position on the path is a number from 0 to end(), whole at the waypoints. The difference of the
@@ -53,9 +57,10 @@ class MeasuredPath {
 };
 
 // Adaptive bisection (Schwarzer, Saha and Latombe 2005): a stretch of the path is settled for a
-// pair by one distance query in its middle, or else halved. Large gaps settle long stretches, so
-// that queries concentrate where bodies come close. All pairs share the bisection, so that
-// the poses of the links in the middle are computed once for all of them.
+// pair by one distance query in its middle, or else divided. Large gaps settle long stretches, so
+// that queries concentrate where bodies come close. All pairs share the first levels, so that the
+// poses of the links in the middle are computed once for all of them; few are left after these, and
+// each divides its stretches where its own gaps end.
 //
 // Most of a search's time goes into motions that are blocked. Depth first, a collision at the end
 // of a motion would be found only after all that lies before it is proven free; the first levels
@@ -66,14 +71,15 @@ class MotionCheck {
   MotionCheck(const CompiledArm& arm, const std::vector<ArmPair>& pairs, const JointPath& path,
               const std::vector<double>& sway, const MotionCheckOptions& options,
               const RunContext& context)
-      : arm_(arm), pairs_(pairs), path_(path), options_(options), context_(context) {
-    for (const ArmPair& pair : pairs) {
-      sway_.push_back(0.0);
-      for (std::size_t k = 0; k < pair.joints.size(); ++k) {
-        sway_.back() += pair.reach[k] * sway[index(pair.joints[k])];
-      }
-    }
-  }
+      : arm_(arm),
+        pairs_(pairs),
+        path_(path),
+        options_(options),
+        context_(context),
+        sway_(sway),
+        sways_(std::any_of(sway.begin(), sway.end(), [](double by) { return by > 0.0; })),
+        bound_(arm),
+        way_bound_(arm) {}
 
   std::optional<ArmPair> run() {
     std::vector<std::size_t> all(pairs_.size());
@@ -101,33 +107,42 @@ class MotionCheck {
 
   // The first pair that is not proved free on a stretch.
   std::optional<std::size_t> first_in(const Stretch& stretch) {
-    std::vector<Stretch> halves;
-    std::optional<std::size_t> blocked = halve(stretch, halves);
-    for (auto of = halves.begin(); of != halves.end() && !blocked; ++of) blocked = first_in(*of);
-    return blocked;
+    for (const std::size_t p : stretch.open) {
+      if (!is_free(p, stretch.from, stretch.to, {})) return p;
+    }
+    return std::nullopt;
+  }
+
+  // Whether a pair is proven free on a stretch. A gap that does not settle all of it settles a part
+  // around its middle, and what is left on both sides of that is asked for again, with the nearest
+  // triangles as a hint.
+  bool is_free(std::size_t p, double from, double to, const TrianglePair& hint) {
+    context_.cancellation.check();
+    const double middle = look_at(from, to);
+    const double farthest = bound_.farthest(pairs_[p]);
+    const GapBeyond gap =
+        find_gap_beyond(arm_, pairs_[p], poses_.X_BL, farthest, kMotionGapError, hint);
+    if (gap.answer == GapAnswer::larger) return true;
+    if (gap.answer == GapAnswer::meets) return false;
+    if (is_finest(pairs_[p])) return false;
+    // Where a joint sways, or turns back, what a gap settles is not in proportion to it.
+    const double free = is_line(from, to) ? kProvenPart * gap.at_least / farthest : 0.0;
+    return is_free(p, from, middle - free * (middle - from), gap.nearest) &&
+           is_free(p, middle + free * (to - middle), to, gap.nearest);
   }
 
   // Settles pairs of a stretch by one query each in its middle, and appends its halves with the
   // pairs that this did not settle. A pair that is blocked ends it.
   std::optional<std::size_t> halve(const Stretch& stretch, std::vector<Stretch>& halves) {
-    double middle = 0.5 * (stretch.from + stretch.to);
-    // A stretch over several waypoints is divided at one of them: no blend is needed there, and the
-    // halves contain no more bends than necessary.
-    if (stretch.to - stretch.from > 1.0) middle = std::round(middle);
-    path_.way(stretch.from, before_);
-    path_.way(middle, here_);
-    path_.way(stretch.to, after_);
-    path_.posture(middle, joints_);
-    arm_link_poses(arm_, joints_, X_BL_);
+    const double middle = look_at(stretch.from, stretch.to);
     std::vector<std::size_t> left;  // pairs neither free nor blocked after the query in the middle
     for (const std::size_t p : stretch.open) {
       context_.cancellation.check();
-      const double farthest = farthest_in(pairs_[p]);
       const GapAnswer gap =
-          gap_beyond(arm_, pairs_[p], X_BL_, farthest + sway_[p], kMotionGapError);
+          gap_beyond(arm_, pairs_[p], poses_.X_BL, bound_.farthest(pairs_[p]), kMotionGapError);
       if (gap == GapAnswer::larger) continue;
-      // Each half of the stretch moves the bodies by `farthest` at most, the whole by twice that.
-      if (gap == GapAnswer::meets || farthest <= 0.5 * options_.tightest) return p;
+      if (gap == GapAnswer::meets) return p;
+      if (is_finest(pairs_[p])) return p;
       left.push_back(p);
     }
     if (left.empty()) return std::nullopt;
@@ -136,18 +151,44 @@ class MotionCheck {
     return std::nullopt;
   }
 
-  // Upper bound of how far a point of one body of a pair moves relative to the other, from the
-  // middle of the stretch to either end: each joint between them contributes its motion times its
-  // reach, the largest distance from its axis of a point that it moves.
-  double farthest_in(const ArmPair& pair) const {
-    double back = 0.0;
-    double ahead = 0.0;
-    for (std::size_t k = 0; k < pair.joints.size(); ++k) {
-      const std::size_t j = index(pair.joints[k]);
-      back += pair.reach[k] * (here_[j] - before_[j]);
-      ahead += pair.reach[k] * (after_[j] - here_[j]);
+  // Whether the motion on a stretch is a straight line in joint space.
+  bool is_line(double from, double to) const {
+    return !sways_ && std::ceil(to) - std::floor(from) <= 1.0;
+  }
+
+  // Takes the posture in the middle of a stretch, and bounds how far points move from there to
+  // either end, with the sway and without it. Returns where the middle is.
+  double look_at(double from, double to) {
+    double middle = 0.5 * (from + to);
+    // A stretch over several waypoints is divided at one of them: no blend is needed there, and the
+    // halves contain no more bends than necessary.
+    if (to - from > 1.0) middle = std::round(middle);
+    path_.posture(middle, joints_);
+    robot_poses(arm_.robot(), joints_, poses_);
+    turns_.resize(joints_.size());
+    if (is_line(from, to)) {
+      path_.posture(from, start_);
+      for (std::size_t j = 0; j < turns_.size(); ++j) turns_[j] = joints_[j] - start_[j];
+      bound_.set(poses_, turns_, MotionBound::Motion::line);
+      return middle;
     }
-    return std::max(back, ahead);
+    path_.way(from, before_);
+    path_.way(middle, here_);
+    path_.way(to, after_);
+    ways_.resize(joints_.size());
+    for (std::size_t j = 0; j < turns_.size(); ++j) {
+      ways_[j] = std::max(here_[j] - before_[j], after_[j] - here_[j]);
+      turns_[j] = ways_[j] + sway_[j];
+    }
+    bound_.set(poses_, turns_, MotionBound::Motion::any);
+    if (sways_) way_bound_.set(poses_, ways_, MotionBound::Motion::any);
+    return middle;
+  }
+
+  // Whether a stretch that was looked at is not divided further for a pair: to each of its ends the
+  // bodies move by half of what they do on all of it.
+  bool is_finest(const ArmPair& pair) {
+    return (sways_ ? way_bound_ : bound_).farthest(pair) <= 0.5 * options_.tightest;
   }
 
   const CompiledArm& arm_;
@@ -155,12 +196,20 @@ class MotionCheck {
   const MeasuredPath path_;
   const MotionCheckOptions& options_;
   const RunContext& context_;
-  std::vector<double> sway_;    // how far each pair may move beside the lines [m]
-  std::vector<double> before_;  // ways at the start, the middle and the end of a stretch
+  const std::vector<double>& sway_;  // how far each joint may leave the lines [rad or m]
+  const bool sways_;
+
+  // Of the stretch that is looked at.
+  std::vector<double> joints_;  // the posture in its middle
+  std::vector<double> start_;   // that where it starts
+  std::vector<double> before_;  // ways at the start, the middle and the end
   std::vector<double> here_;
   std::vector<double> after_;
-  std::vector<double> joints_;
-  std::vector<Pose> X_BL_;
+  std::vector<double> ways_;   // of each joint to either end, at most
+  std::vector<double> turns_;  // the same with its sway
+  RobotPoses poses_;
+  MotionBound bound_;      // by the turns
+  MotionBound way_bound_;  // by the ways, where they differ
 };
 
 }  // namespace
