@@ -192,7 +192,7 @@ int print_failure(const ArmPath& path) {
   std::cout << "no path: " << name_of(path.end);
   if (!path.why.empty()) std::cout << " (" << path.why << ")";
   if (path.end == ArmPathEnd::not_found) {
-    std::cout << ": more --iterations, another --seed or another --planner may find one";
+    std::cout << ": more --iterations or another --seed may find one";
   }
   std::cout << "\n";
   return 1;

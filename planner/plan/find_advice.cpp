@@ -364,11 +364,9 @@ class Adviser {
   void advise_path() {
     const int held = count_of(result_, Outcome::no_path);
     add(Hint::path,
-        formatted(
-            "%d %s, but no path from the robot's start was found: another --path-planner "
-            "(roadmap, rrt_star), another --seed, another \"start\" of the robot in the scene "
-            "file; without --path the grasps are listed",
-            held, held == 1 ? "grasp holds" : "grasps hold"));
+        formatted("%d %s, but no path from the robot's start was found: another --seed, another "
+                  "\"start\" of the robot in the scene file; without --path the grasps are listed",
+                  held, held == 1 ? "grasp holds" : "grasps hold"));
   }
 
   void advise_unit() {

@@ -56,8 +56,12 @@ ArmPath to_goal(const CompiledScene& scene, const DofValues& goal, const GraspPa
     }
   }
   ArmPath path;
-  path.waypoints = plan_transfer(arm, {arm.start, goal, hand}, options.transfer, context);
-  if (path.waypoints.empty()) return failed(ArmPathEnd::not_found);
+  TransferPath found = plan_transfer(arm, {arm.start, goal, hand}, options.transfer, context);
+  if (found.waypoints.empty()) {
+    return failed(ArmPathEnd::not_found,
+                  found.bottleneck ? "mostly " + met(arm, *found.bottleneck) : "");
+  }
+  path.waypoints = std::move(found.waypoints);
   for (const Joint& joint : robot.joints) path.motion.joints.push_back(joint.name);
   append(path.motion, "transfer",
          blend_transfer(arm, path.waypoints, hand, joint_limits(robot), options.transfer,

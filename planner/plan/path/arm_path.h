@@ -31,7 +31,9 @@ constexpr auto enum_names(ArmPathEnd /*of*/) {
 // A path and what the check measured along it, or why there is none.
 struct ArmPath {
   ArmPathEnd end = ArmPathEnd::unreachable;
-  std::string why;    // of beyond_limits, goal_collides and refused: "LINK meets BODY", ...
+  // Of beyond_limits, goal_collides and refused: "LINK meets BODY", ...; of not_found what blocked
+  // most motions that were tried: "mostly LINK meets BODY".
+  std::string why;
   Trajectory motion;  // one segment, "transfer"; joints of the platform, in its order
   std::vector<DofValues> waypoints;  // of the lines in joint space whose corners it rounds off
   PathCheck check;

@@ -134,7 +134,8 @@ class GraspPathPlanner {
     if (first_blocked(arm_, pairs_, opening, options_.transfer.motion, context_))
       return std::nullopt;
     const std::vector<DofValues> waypoints =
-        plan_transfer(arm_, {arm_.start, line.front(), carried}, options_.transfer, context_);
+        plan_transfer(arm_, {arm_.start, line.front(), carried}, options_.transfer, context_)
+            .waypoints;
     if (waypoints.empty()) return std::nullopt;
     Trajectory path;
     for (const Joint& joint : arm_.robot().joints) path.joints.push_back(joint.name);

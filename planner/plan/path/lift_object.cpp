@@ -80,7 +80,7 @@ LiftedPath lift_object(const HeldObject& held, const LiftOptions& options,
   DofValues home = line.back();
   for (const int d : arm.dofs) home[index(d)] = arm.start[index(d)];
   const std::vector<DofValues> way =
-      plan_transfer(arm, {line.back(), home, held.trial.joints}, transfer, context);
+      plan_transfer(arm, {line.back(), home, held.trial.joints}, transfer, context).waypoints;
   if (way.empty()) {
     path.end = LiftEnd::retreat_blocked;
     return path;

@@ -95,7 +95,8 @@ class TransferSpace {
         options_(options),
         context_(context),
         pairs_(checked_pairs_of(arm)),
-        filter_(arm, pairs_) {
+        filter_(arm, pairs_),
+        blocks_(pairs_.size(), 0) {
     for (const int dof : arm.dofs) scale_.push_back(motion_of(dof));
   }
 
@@ -161,6 +162,7 @@ class TransferSpace {
     const std::vector<double> first = joints(dofs(from));
     const std::vector<double> last = joints(dofs(to));
     const FilterVerdict verdict = filter_.line(first, last, motion.tightest, if_close, open_);
+    if (verdict == FilterVerdict::blocked) ++blocks_[filter_.blocker()];
     if (verdict != FilterVerdict::open) return verdict == FilterVerdict::free;
     const auto posture = [&](double at) {
       std::vector<double> result = first;
@@ -170,8 +172,17 @@ class TransferSpace {
     return std::none_of(open_.begin(), open_.end(), [&](const OpenStretch& stretch) {
       std::vector<ArmPair> pairs;
       for (const std::size_t p : stretch.pairs) pairs.push_back(pairs_[p]);
-      return is_blocked(pairs, posture(stretch.from), posture(stretch.to), motion);
+      if (!is_blocked(pairs, posture(stretch.from), posture(stretch.to), motion)) return false;
+      for (const std::size_t p : stretch.pairs) ++blocks_[p];
+      return true;
     });
+  }
+
+  // The pair that blocked, or may have blocked, most motions; none where no motion was blocked.
+  std::optional<ArmPair> bottleneck() const {
+    const auto most = std::max_element(blocks_.begin(), blocks_.end());
+    if (most == blocks_.end() || *most == 0) return std::nullopt;
+    return pairs_[static_cast<std::size_t>(most - blocks_.begin())];
   }
 
   // Whether motions count as blocked where the simple shapes around the meshes overlap: much
@@ -230,6 +241,7 @@ class TransferSpace {
   std::vector<double> scale_;
   MotionFilter filter_;
   std::vector<OpenStretch> open_;
+  std::vector<int> blocks_;  // motions that were blocked, by pair
   std::vector<const ob::State*> ends_;
   bool by_shapes_ = false;
 };
@@ -389,8 +401,8 @@ FoundPath search_in_rounds(TransferSpace& space, const Transfer& transfer,
 
 }  // namespace
 
-std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& transfer,
-                                     const TransferOptions& options, const RunContext& context) {
+TransferPath plan_transfer(const CompiledArm& arm, const Transfer& transfer,
+                           const TransferOptions& options, const RunContext& context) {
   require_settings(options);
   ompl::msg::noOutputHandler();  // stdout and stderr are the program's own
   context.cancellation.check();
@@ -399,7 +411,7 @@ std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& tra
   if (!space.is_possible(transfer.from) || !space.is_possible(transfer.to)) return {};
   // Often the straight line is free, which saves the search and is the shortest path.
   if (space.may_be_free(transfer.from, transfer.to) && space.is_free({transfer.from, transfer.to}))
-    return {transfer.from, transfer.to};
+    return {{transfer.from, transfer.to}, std::nullopt};
   FoundPath found = search_in_rounds(space, transfer, options);
   // Rounding in and out of the planner's coordinates moves the waypoints a little, so the proof is
   // repeated for the lines that are returned. Shortening ends at what just passes it, which the
@@ -407,8 +419,8 @@ std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& tra
   const bool shortened = space.is_free(found.shortened);
   const bool whole = shortened || space.is_free(found.whole);
   context.cancellation.check();
-  if (!whole) return {};
-  return shortened ? std::move(found.shortened) : std::move(found.whole);
+  if (!whole) return {{}, space.bottleneck()};
+  return {shortened ? std::move(found.shortened) : std::move(found.whole), space.bottleneck()};
 }
 
 }  // namespace prehend

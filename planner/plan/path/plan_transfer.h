@@ -13,6 +13,7 @@
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
 #include "sim/robot/dof_values.h"
+#include "sim/scene/ids.h"
 #include "sim/scene/reach/reach_options.h"
 
 namespace prehend {
@@ -67,12 +68,17 @@ struct Transfer {
   std::vector<double> hand_joints;  // the hand's joints, constant along the path [rad or m]
 };
 
-// Plans a path with straight lines in joint space between its waypoints. Returns the waypoints, the
-// first `from` and the last `to`, all degrees of freedom of the platform each; empty when no path
-// was found. Every line is proven free of collision (first_blocked). The same seed gives the same
+// Waypoints joined by straight lines in joint space: the first is `from`, the last `to`, all
+// degrees of freedom of the platform each. None where no path was found.
+struct TransferPath {
+  std::vector<DofValues> waypoints;
+  // The pair that blocked most of the motions that the search tried; none where it tried none.
+  std::optional<ArmPair> bottleneck;
+};
+
+// Every line of the path is proven free of collision (first_blocked). The same seed gives the same
 // path, on any thread. Throws Cancelled.
-std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& transfer,
-                                     const TransferOptions& options = {},
-                                     const RunContext& context = {});
+TransferPath plan_transfer(const CompiledArm& arm, const Transfer& transfer,
+                           const TransferOptions& options = {}, const RunContext& context = {});
 
 }  // namespace prehend

@@ -94,6 +94,7 @@ class MotionFilter::Lanes {
 
   FilterVerdict line(const std::vector<double>& from, const std::vector<double>& to,
                      double tightest, IfClose if_close, std::vector<OpenStretch>& open);
+  std::size_t blocker() const { return blocker_; }
 
  private:
   // A stretch of the line by its middle, and what is not settled on it.
@@ -161,6 +162,7 @@ class MotionFilter::Lanes {
   std::vector<unsigned> overlap_;
   std::vector<LaneNumbers> motion_;
   std::vector<std::size_t> any_left_;  // of the block's pairs
+  std::size_t blocker_ = 0;            // of the last motion that was blocked
   std::vector<std::size_t> recent_;    // pairs that blocked the last motions, the last one first
   std::vector<std::uint8_t> is_in_block_;
 };
@@ -187,7 +189,8 @@ MotionFilter::Lanes::Lanes(const CompiledArm& arm, const std::vector<ArmPair>& p
   }
   for (const ArmPair& pair : pairs) {
     const CompiledLink& link = arm.links[index(pair.link)];
-    LanePair lanes{.a = index(pair.link)};
+    LanePair lanes;
+    lanes.a = index(pair.link);
     if (const auto* other = std::get_if<LinkId>(&pair.other)) {
       const CompiledLink& second = arm.links[index(*other)];
       const std::size_t shared = shared_joints(link, second);
@@ -367,6 +370,7 @@ PREHEND_INLINE bool MotionFilter::Lanes::recent_meets(float half) {
 
 // Puts a pair first of those that blocked the last motions.
 void MotionFilter::Lanes::remember(std::size_t pair) {
+  blocker_ = pair;
   auto at = std::find(recent_.begin(), recent_.end(), pair);
   if (at == recent_.end()) {
     if (recent_.size() < kRecent) recent_.push_back(pair);
@@ -454,7 +458,10 @@ bool MotionFilter::Lanes::check(std::span<const Part> parts, BlockPairs pairs, d
           (overlap_[k] >> i & 1U) != 0 ? std::max(finest_, kFinestOverlap) : finest_;
       (motion_[k].of[i] <= finest ? fine : coarse).push_back(p);
     }
-    if (!fine.empty() && close_is_blocked_) return false;
+    if (!fine.empty() && close_is_blocked_) {
+      blocker_ = fine.front();
+      return false;
+    }
     if (!fine.empty()) open.push_back({part.middle - half, part.middle + half, std::move(fine)});
     if (coarse.empty()) continue;
     next.push_back({part.middle - 0.5 * half, coarse});
@@ -487,7 +494,10 @@ FilterVerdict MotionFilter::Lanes::line(const std::vector<double>& from,
     }
     parts = std::move(next);
     if (level < kMostLevels) continue;
-    if (close_is_blocked_ && !parts.empty()) return FilterVerdict::blocked;
+    if (close_is_blocked_ && !parts.empty()) {
+      blocker_ = parts.front().pairs.front();
+      return FilterVerdict::blocked;
+    }
     for (Part& part : parts)
       open.push_back({part.middle - 0.5 * half, part.middle + 0.5 * half, std::move(part.pairs)});
     break;
@@ -499,6 +509,8 @@ FilterVerdict MotionFilter::Lanes::line(const std::vector<double>& from,
 MotionFilter::MotionFilter(const CompiledArm& arm, const std::vector<ArmPair>& pairs)
     : lanes_(std::make_unique<Lanes>(arm, pairs)) {}
 MotionFilter::~MotionFilter() = default;
+
+std::size_t MotionFilter::blocker() const { return lanes_->blocker(); }
 
 FilterVerdict MotionFilter::line(const std::vector<double>& from, const std::vector<double>& to,
                                  double tightest, IfClose if_close,

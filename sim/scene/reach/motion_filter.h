@@ -55,6 +55,9 @@ class MotionFilter {
   FilterVerdict line(const std::vector<double>& from, const std::vector<double>& to,
                      double tightest, IfClose if_close, std::vector<OpenStretch>& open);
 
+  // The pair (index) for which the last line was `blocked`.
+  std::size_t blocker() const;
+
  private:
   class Lanes;
   std::unique_ptr<Lanes> lanes_;

@@ -63,7 +63,10 @@ TEST(ArmPath, SaysWhyThereIsNone) {
   EXPECT_NE(collides.why.find("meets post"), std::string::npos) << collides.why;
   GraspPathOptions few;
   few.transfer.max_iterations = 1;
-  EXPECT_EQ(plan_arm_path(scene, {turned(scene, 1.5)}, few).end, ArmPathEnd::not_found);
+  const ArmPath missing = plan_arm_path(scene, {turned(scene, 1.5)}, few);
+  EXPECT_EQ(missing.end, ArmPathEnd::not_found);
+  EXPECT_EQ(missing.why.find("mostly "), 0U) << missing.why;
+  EXPECT_NE(missing.why.find(" meets post"), std::string::npos) << missing.why;
 }
 
 TEST(ArmPath, TakesTheFirstGoalThatHasOneElseTheFailureThatCameFarthest) {

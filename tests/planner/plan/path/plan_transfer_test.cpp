@@ -39,12 +39,12 @@ TEST(PlanTransfer, AnImpossibleEndHasNoWay) {
   const DofValues blocked = in_the_table(arm);
   const Transfer into = transfer_to(arm, blocked);
   ASSERT_TRUE(first_meeting(arm, arm.hand_pairs, arm_joints(arm, blocked, into.hand_joints)));
-  EXPECT_TRUE(plan_transfer(arm, into).empty());
-  EXPECT_TRUE(plan_transfer(arm, {blocked, arm.start, into.hand_joints}).empty());
+  EXPECT_TRUE(plan_transfer(arm, into).waypoints.empty());
+  EXPECT_TRUE(plan_transfer(arm, {blocked, arm.start, into.hand_joints}).waypoints.empty());
   for (const int dof : arm.dofs) {
     DofValues beyond = arm.start;
     beyond[index(dof)] = arm.robot().dofs[index(dof)].upper + 1e-3;
-    EXPECT_TRUE(plan_transfer(arm, transfer_to(arm, beyond)).empty()) << dof;
+    EXPECT_TRUE(plan_transfer(arm, transfer_to(arm, beyond)).waypoints.empty()) << dof;
   }
 }
 
@@ -59,7 +59,7 @@ TEST(PlanTransfer, WaysEndWhereTheyShallAndEveryLineIsFree) {
     transfer.to[index(arm.dofs[0])] = waist.lower + 0.05 * k * (waist.upper - waist.lower);
     if (!first_meeting(arm, pairs, arm_joints(arm, transfer.to, transfer.hand_joints))) break;
   }
-  const std::vector<DofValues> way = plan_transfer(arm, transfer);
+  const std::vector<DofValues> way = plan_transfer(arm, transfer).waypoints;
   ASSERT_GE(way.size(), 2U);
   EXPECT_EQ(way.front(), transfer.from);
   EXPECT_EQ(way.back(), transfer.to);
