@@ -357,12 +357,12 @@ PREHEND_INLINE bool MotionFilter::Lanes::blocks(const LanePair& pair, unsigned o
 
 // Whether a pair that blocked one of the last motions blocks this one.
 PREHEND_INLINE bool MotionFilter::Lanes::recent_meets(float half) {
-  for (std::size_t i = 0; i < recent_.size(); ++i) {
-    const LanePair& pair = pairs_[recent_[i]];
+  for (const std::size_t p : recent_) {
+    const LanePair& pair = pairs_[p];
     unsigned overlap = 0;
     lanes_left(pair, motion_of(pair, half), overlap);
     if (!blocks(pair, overlap)) continue;
-    remember(recent_[i]);
+    remember(p);
     return true;
   }
   return false;
