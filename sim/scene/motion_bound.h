@@ -16,13 +16,14 @@ struct CompiledLink;
 // axis at most, in any posture. In one posture it is often much closer: of a folded arm the hand
 // swings about the first axis on a circle half as wide.
 //
-// Let the joints leave the posture one after the other, from the tip to the base. Each turns all
-// points behind it, and by how much the joints before moved them stays as it is: the ways add up,
-// each at most the turn times the distance from the axis in the posture. On a line
-// in joint space the motions of the joints add up as vectors: to first order a point moves by the
-// velocity that it has in the posture, and its acceleration is bounded by
+// Let the joints leave the posture one after the other, from the tip to the base. The turn of each
+// is a rigid motion of all that is behind it. It keeps the distance by which a point has moved so
+// far, and adds at most the turn times the point's distance from the axis in the posture.
+//
+// On a line in joint space the motions of the joints add up as vectors: to first order a point
+// moves by the velocity that it has in the posture, and its acceleration is bounded by
 // sum_i sum_j |d_i d_j| R_max(i,j), as the second derivative of a point by joints i <= j is
-// a_i x (a_j x (p - o_j)); d: turns, a and o: axes, R: distances from them.
+// a_i x (a_j x (p - o_j)); d: turns, a and o: axes, R: distances from them on the way.
 class MotionBound {
  public:
   // The arm must live as long.
