@@ -1,6 +1,7 @@
 // Independent check of a finished, timed path: collisions along it, and joint limits.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "sim/base/run_context.h"
@@ -45,9 +46,10 @@ void for_each_setting(Options& options, const Visit& visit) {
 }
 
 // Tests postures along the cubics between the samples of `path` (joints of scene.arm), so densely
-// that no corner of a link's bounding box moves more than `step` from one posture to the next. In
-// each posture the triangles of every link are tested for intersection with those of every link
-// that it is not joined to, of the object and of the obstacles.
+// that no corner of a link's bounding box moves more than `step` from one posture to the next. The
+// triangles of every link are tested for intersection with those of every link that it is not
+// joined to, of the object and of the obstacles, before they have moved by `step` against each
+// other since the last time (path_collisions.h).
 //
 // From the start of a segment "lift" on, the object moves with the hand as it is held there. It is
 // then tested against the obstacles and the links that are not the hand's; where surfaces cross at
@@ -55,13 +57,14 @@ void for_each_setting(Options& options, const Visit& visit) {
 //
 // Planning relies on a proof instead (motion_check.h: distances and bounds of motion). This check
 // deliberately uses neither, but another engine (second_check.h), and leaves out no pair that the
-// proof found to stay apart, so that an error in the proof shows here. The scene must have an arm.
-// Throws Cancelled.
+// proof found to stay apart, so that an error in the proof shows here. It is no proof: a collision
+// between two tests can be missed. The scene must have an arm. Throws Cancelled.
 PathCheck check_path(const CompiledScene& scene, const Trajectory& path,
                      const PathCheckOptions& options = {}, const RunContext& context = {});
 
-// The same with the bodies of scene.arm prepared already, for several paths.
+// The same from sample `first` on, with the bodies of scene.arm prepared already, for several
+// paths.
 PathCheck check_path(const CompiledScene& scene, const SecondCheck& bodies, const Trajectory& path,
-                     const PathCheckOptions& options = {}, const RunContext& context = {});
+                     std::size_t first, const PathCheckOptions& options, const RunContext& context);
 
 }  // namespace prehend

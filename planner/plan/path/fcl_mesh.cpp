@@ -12,8 +12,8 @@ namespace {
 // Thresholds of FCL are absolute; in metres they would be large against small triangles.
 constexpr double kMillimetres = 1000.0;
 
-// Against rounding, between balls [mm].
-constexpr double kBallSlack = 1e-6;
+// By how much more than FCL says a ball contains its mesh, against rounding [m].
+constexpr double kBallSlack = 1e-9;
 
 fcl::Transform3d in_millimetres(Pose X) {
   X.translation() *= kMillimetres;
@@ -44,17 +44,15 @@ FclMesh::FclMesh(const TriangleMesh& mesh) {
 FclMesh::~FclMesh() = default;
 FclMesh::FclMesh(FclMesh&&) noexcept = default;
 
+Vector3 FclMesh::centre() const { return model_->tree.aabb_center / kMillimetres; }
+
+double FclMesh::radius() const { return model_->tree.aabb_radius / kMillimetres + kBallSlack; }
+
 bool FclMesh::crosses(const Pose& X_WA, const FclMesh& other, const Pose& X_WB) const {
-  const auto& a = model_->tree;
-  const auto& b = other.model_->tree;
-  const fcl::Transform3d X_Wa = in_millimetres(X_WA);
-  const fcl::Transform3d X_Wb = in_millimetres(X_WB);
-  // Most pairs are far apart, which the balls around their boxes tell in a fraction of the time.
-  const double apart = (X_Wa * a.aabb_center - X_Wb * b.aabb_center).norm();
-  if (apart > a.aabb_radius + b.aabb_radius + kBallSlack) return false;
   const fcl::CollisionRequestd request(1);
   fcl::CollisionResultd result;
-  return fcl::collide(&a, X_Wa, &b, X_Wb, request, result) > 0;
+  return fcl::collide(&model_->tree, in_millimetres(X_WA), &other.model_->tree,
+                      in_millimetres(X_WB), request, result) > 0;
 }
 
 }  // namespace prehend

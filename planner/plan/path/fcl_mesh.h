@@ -18,6 +18,10 @@ class FclMesh {
   FclMesh(FclMesh&&) noexcept;
   FclMesh& operator=(FclMesh&&) = delete;
 
+  // A ball that contains the mesh: its centre in the frame of the mesh, and its radius [m].
+  Vector3 centre() const;
+  double radius() const;
+
   // Whether the surfaces of two meshes cross, whose poses are given in one frame. A mesh wholly
   // inside another crosses it nowhere.
   bool crosses(const Pose& X_WA, const FclMesh& other, const Pose& X_WB) const;

@@ -97,7 +97,7 @@ class GraspPathPlanner {
       // With nothing to open, both orders are the same path.
       if (!opens_first && start_hand_ == line_.hand_joints) continue;
       std::optional<Trajectory> path = along(line, opens_first);
-      if (path && check_path(scene_, bodies_, *path, options_.check, context_).ok()) {
+      if (path && is_sound(*path, 0)) {
         return lifted(*path, line.back());
       }
     }
@@ -110,17 +110,23 @@ class GraspPathPlanner {
     const LiftedPath then = lift_object({scene_, trial_, held}, options_.lift, options_.reach,
                                         options_.transfer, limits_, options_.timing, context_);
     whole.lift = then.end;
-    if (then.lift) append(whole.motion, kLift, *then.lift);
-    // The proof is not the only one to say so.
-    if (then.lift && !check_path(scene_, bodies_, whole.motion, options_.check, context_).ok()) {
-      return {path, LiftEnd::lift_blocked};
+    if (!then.lift) return whole;
+    const std::size_t from = path.times.size() - 1;
+    append(whole.motion, kLift, *then.lift);
+    if (then.retreat) {
+      GraspPath back = whole;
+      append(back.motion, kRetreat, *then.retreat);
+      if (is_sound(back.motion, from)) return back;
+      whole.lift = LiftEnd::retreat_blocked;
     }
-    if (!then.retreat) return whole;
-    GraspPath back = whole;
-    append(back.motion, kRetreat, *then.retreat);
-    if (check_path(scene_, bodies_, back.motion, options_.check, context_).ok()) return back;
-    whole.lift = LiftEnd::retreat_blocked;
-    return whole;
+    if (is_sound(whole.motion, from)) return whole;
+    return {path, LiftEnd::lift_blocked};
+  }
+
+  // Whether the second check finds nothing from sample `first` on: the proof is not the only one to
+  // say so.
+  bool is_sound(const Trajectory& path, std::size_t first) const {
+    return check_path(scene_, bodies_, path, first, options_.check, context_).ok();
   }
 
   // Both orders are worth trying: there may be no room to open the hand at the start, or none to

@@ -25,20 +25,8 @@ const SecondCheck::Models& SecondCheck::models() const {
 
 SecondCheck::~SecondCheck() = default;
 
-bool SecondCheck::links_cross(LinkId a, const Pose& X_BA, LinkId c, const Pose& X_BC) const {
-  return models().links[index(a)].crosses(X_BA, models().links[index(c)], X_BC);
-}
+const FclMesh& SecondCheck::link(LinkId link) const { return models().links[index(link)]; }
 
-bool SecondCheck::body_crosses(BodyId a, const Pose& X_BA, LinkId c, const Pose& X_BC) const {
-  return models().bodies[index(a)].crosses(X_BA, models().links[index(c)], X_BC);
-}
-
-bool SecondCheck::object_crosses(const Pose& X_BO, LinkId c, const Pose& X_BC) const {
-  return models().bodies.front().crosses(X_BO, models().links[index(c)], X_BC);
-}
-
-bool SecondCheck::object_crosses(const Pose& X_BO, BodyId c, const Pose& X_BC) const {
-  return models().bodies.front().crosses(X_BO, models().bodies[index(c)], X_BC);
-}
+const FclMesh& SecondCheck::body(BodyId body) const { return models().bodies[index(body)]; }
 
 }  // namespace prehend

@@ -6,6 +6,7 @@
 
 #include "planner/plan/path/arm_path.h"
 #include "planner/plan/path/check_path.h"
+#include "planner/plan/path/fcl_mesh.h"
 #include "sim/base/random.h"
 #include "sim/motion/control/time_path.h"
 #include "sim/scene/compiled_scene.h"
@@ -29,12 +30,13 @@ CompiledScene panda_and_post() {
 
 bool crosses(const SecondCheck& check, const CompiledArm& arm, const ArmPair& pair,
              const std::vector<Pose>& X_BL) {
+  const FclMesh& mesh = check.link(pair.link);
   const Pose& X_BA = X_BL[index(pair.link)];
   if (const LinkId* link = std::get_if<LinkId>(&pair.other)) {
-    return check.links_cross(pair.link, X_BA, *link, X_BL[index(*link)]);
+    return mesh.crosses(X_BA, check.link(*link), X_BL[index(*link)]);
   }
   const BodyId body = std::get<BodyId>(pair.other);
-  return check.body_crosses(body, arm.body(body).X_RB, pair.link, X_BA);
+  return mesh.crosses(X_BA, check.body(body), arm.body(body).X_RB);
 }
 
 // The same by our own trees.
