@@ -1,11 +1,11 @@
 #include "planner/plan/path/plan_transfer.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
-#include <ompl/geometric/PathSimplifier.h>
 #include <ompl/geometric/planners/prm/LazyPRM.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
@@ -37,6 +37,18 @@ constexpr int kMostRounds = 24;
 // to the ends of the path may be closer (MotionCheckOptions::tightest), as the ends often are.
 constexpr double kLeastPassage = 4e-3;
 
+// How a corner of a path is cut: from which part of the line before it (1: all of it) to which part
+// of the line after it. In the order in which they are tried.
+struct CornerCut {
+  double before = 0.0;
+  double after = 0.0;
+};
+constexpr std::array<CornerCut, 6> kCuts = {
+    {{1.0, 1.0}, {1.0, 0.5}, {0.5, 1.0}, {0.5, 0.5}, {0.25, 0.25}, {0.125, 0.125}}};
+
+// Cuts that shorten a path by a smaller part of its length are not worth their check.
+constexpr double kLeastGain = 7e-3;
+
 // How far a joint at its limit may be beyond it by rounding [rad or m].
 constexpr double kBeyondLimits = 1e-9;
 
@@ -64,14 +76,6 @@ class Seeded : public Planner {
  public:
   Seeded(const ob::SpaceInformationPtr& information, std::uint64_t seed) : Planner(information) {
     this->rng_.setLocalSeed(static_cast<std::uint_fast32_t>(seed));
-  }
-};
-
-class SeededSimplifier : public og::PathSimplifier {
- public:
-  SeededSimplifier(const ob::SpaceInformationPtr& information, std::uint64_t seed)
-      : og::PathSimplifier(information) {
-    rng_.setLocalSeed(static_cast<std::uint_fast32_t>(seed));
   }
 };
 
@@ -346,7 +350,50 @@ void drop_vertices(const ob::SpaceInformation& information, og::PathGeometric& p
   states = std::move(kept);
 }
 
-// One run of the planner, and shortening of the path that it finds. Planner and simplifier check
+// Cuts one corner of the path, the first way of kCuts that gains enough and is free. Whether there
+// was one. Counts `attempts` down, and ends at 0.
+bool cut_corner(const ob::SpaceInformation& information, std::size_t corner, int& attempts,
+                og::PathGeometric& path) {
+  std::vector<ob::State*>& states = path.getStates();
+  const ob::StateSpacePtr& space = information.getStateSpace();
+  const double least = kLeastGain * path.length();
+  const auto part_of = [&](std::size_t neighbour, double part) {
+    ob::State* at = information.cloneState(states[neighbour]);
+    // Interpolation rounds, and the ends of the path are known by their exact values.
+    if (part < 1.0) space->interpolate(states[corner], states[neighbour], part, at);
+    return at;
+  };
+  for (const CornerCut& cut : kCuts) {
+    ob::State* from = part_of(corner - 1, cut.before);
+    ob::State* to = part_of(corner + 1, cut.after);
+    const double gain = space->distance(from, states[corner]) +
+                        space->distance(states[corner], to) - space->distance(from, to);
+    const bool is_cut = gain >= least && attempts-- > 0 && information.checkMotion(from, to);
+    std::vector<ob::State*> unused;
+    if (is_cut) {
+      unused.push_back(states[corner]);
+      auto at = states.erase(states.begin() + static_cast<std::ptrdiff_t>(corner));
+      if (cut.after < 1.0) at = states.insert(at, to);
+      if (cut.before < 1.0) states.insert(at, from);
+    }
+    if (!is_cut || cut.before == 1.0) unused.push_back(from);
+    if (!is_cut || cut.after == 1.0) unused.push_back(to);
+    for (ob::State* state : unused) information.freeState(state);
+    if (is_cut) return true;
+  }
+  return false;
+}
+
+// Cuts corners until no cut helps, but tries no more than `attempts`.
+void cut_corners(const ob::SpaceInformation& information, int attempts, og::PathGeometric& path) {
+  for (bool any = true; any;) {
+    any = false;
+    for (std::size_t i = 1; i + 1 < path.getStateCount() && attempts > 0; ++i)
+      any = cut_corner(information, i, attempts, path) || any;
+  }
+}
+
+// One run of the planner, and shortening of the path that it finds. Both check
 // states and motions through TransferSpace, so every edge of the path is proven free. Empty when
 // the iterations were used up.
 FoundPath search(TransferSpace& space, const Transfer& transfer, const TransferOptions& options) {
@@ -369,13 +416,8 @@ FoundPath search(TransferSpace& space, const Transfer& transfer, const TransferO
   if (!problem->hasExactSolution()) return {};
   auto path = std::static_pointer_cast<og::PathGeometric>(problem->getSolutionPath());
   FoundPath result{.whole = waypoints_of(*path, space, transfer), .shortened = {}};
-  SeededSimplifier simplifier(information, options.seed);
-  const auto steps = static_cast<unsigned>(options.simplify_steps);
-  // Dropping vertices first is cheap and leaves fewer corners to cut; cutting corners makes new
-  // vertices that can be dropped again.
   drop_vertices(*information, *path);
-  simplifier.shortcutPath(*path, steps, steps);
-  drop_vertices(*information, *path);
+  cut_corners(*information, options.simplify_steps, *path);
   result.shortened = waypoints_of(*path, space, transfer);
   return result;
 }
