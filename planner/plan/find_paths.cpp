@@ -29,6 +29,7 @@ class PathSearch {
     // result_.grasps is refilled with those that have a path, in the order of their rank.
     all_ = std::move(result_.grasps);
     result_.grasps.clear();
+    in_the_way_.resize(all_.size());
     const std::size_t wanted = std::min(index(options_.rank.top), all_.size());
     progress_ = {Stage::paths, 0, static_cast<int>(wanted), 0};
     if (context_.progress) context_.progress(progress_);
@@ -41,9 +42,10 @@ class PathSearch {
       std::vector<std::uint8_t> searched(count, 0);
       for_each_in_parallel(count, context_.threads,
                            [&](std::size_t i) { searched[i] = search(next + i) ? 1 : 0; });
-      for (std::size_t i = 0; i < count; ++i) take(all_[next + i], searched[i] != 0);
+      for (std::size_t i = 0; i < count; ++i) take(next + i, searched[i] != 0);
       next += count;
     }
+    count_blockers(result_);
   }
 
  private:
@@ -58,10 +60,11 @@ class PathSearch {
       // Told of are whole paths, not what each of them tries.
       RunContext own = context_;
       own.progress = {};
-      auto found = plan_grasp_path(scene_, bodies_, grasp.candidate, grasp.trial, path, own);
-      if (found) {
-        grasp.path = std::move(found->motion);
-        grasp.lift = found->lift;
+      auto found = try_grasp_path(scene_, bodies_, grasp.candidate, grasp.trial, path, own);
+      in_the_way_[i] = std::move(found.in_the_way);
+      if (found.path) {
+        grasp.path = std::move(found.path->motion);
+        grasp.lift = found.path->lift;
       }
     } catch (const Cancelled&) {
       return false;
@@ -75,7 +78,8 @@ class PathSearch {
   }
 
   // Moves a grasp with a path into the result, or records why it is not there.
-  void take(ScoredGrasp& grasp, bool searched) {
+  void take(std::size_t i, bool searched) {
+    ScoredGrasp& grasp = all_[i];
     if (!searched) {
       was_cut_short_ = true;
       result_.status = cut_short(context_);
@@ -85,7 +89,9 @@ class PathSearch {
       // The trial was counted as stable. Each candidate is counted under one outcome only.
       --result_.outcomes[Outcome::stable];
       ++result_.outcomes[Outcome::no_path];
-      result_.tried[index(grasp.tried)].outcome = Outcome::no_path;
+      Tried& tried = result_.tried[index(grasp.tried)];
+      tried.outcome = Outcome::no_path;
+      tried.collision_of = std::move(in_the_way_[i]);
     }
   }
 
@@ -95,6 +101,7 @@ class PathSearch {
   PlanResult& result_;
   const SecondCheck bodies_;
   std::vector<ScoredGrasp> all_;
+  std::vector<CollisionNames> in_the_way_;  // of each, where it has no path
   bool was_cut_short_ = false;
   std::mutex progress_lock_;
   Progress progress_;

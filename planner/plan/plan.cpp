@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <sstream>
-#include <tuple>
 #include <utility>
 
 #include "planner/plan/cut_short.h"
@@ -58,11 +57,8 @@ struct Attempts {
   std::map<std::size_t, Refinement> refinements;  // of the trials that a refinement found
 };
 
-// Enters how every trial ended into the result. Collisions are counted by outcome, link and body.
-// The map iterates in the order of these keys, so that blockers with equal counts are listed in the
-// same order in every run.
+// Enters how every trial ended into the result.
 void record_trials(const CompiledScene& scene, const Attempts& attempts, PlanResult& result) {
-  std::map<std::tuple<Outcome, std::string, std::string>, int> blocked;
   for (std::size_t i = 0; i < attempts.trials.size(); ++i) {
     const Trial& trial = attempts.trials[i];
     const std::size_t c = attempts.candidates[i];
@@ -71,18 +67,10 @@ void record_trials(const CompiledScene& scene, const Attempts& attempts, PlanRes
     result.trial_seconds.reach += trial.seconds.reach;
     result.trial_seconds.approach += trial.seconds.approach;
     result.trial_seconds.close += trial.seconds.close;
-    const CollisionNames why = collision_of(scene, trial);
-    result.tried.push_back(
-        {static_cast<int>(c), candidate.X_OH, candidate.approach_O, trial.outcome, why});
-    if (!why.by.empty()) ++blocked[{trial.outcome, why.link, why.by}];
+    result.tried.push_back({static_cast<int>(c), candidate.X_OH, candidate.approach_O,
+                            trial.outcome, collision_of(scene, trial)});
   }
-  for (const auto& [what, count] : blocked) {
-    const auto& [outcome, link, by] = what;
-    result.blockers.push_back({outcome, link, by, count});
-  }
-  std::stable_sort(
-      result.blockers.begin(), result.blockers.end(),
-      [](const CollisionCount& a, const CollisionCount& b) { return a.count > b.count; });
+  count_blockers(result);
 }
 
 // Counts of the stages of a trial. Stages that the scene does not need are left out: reach without

@@ -165,4 +165,7 @@ struct PlanResult {
   TrialSeconds trial_seconds;      // of all trials, on all threads together
 };
 
+// Counts `blockers` from `tried`; equal counts in the order of outcome, link and body.
+void count_blockers(PlanResult& result);
+
 }  // namespace prehend

@@ -42,6 +42,10 @@ const std::string& driver_name(const Joint& joint) {
   return joint.driver_name.empty() ? joint.name : joint.driver_name;
 }
 
+const std::string& driver_name(const Link& link) {
+  return link.driver_name.empty() ? link.name : link.driver_name;
+}
+
 const RobotFrame* frame_with(const Robot& robot, FrameRole role) {
   for (const RobotFrame& frame : robot.frames) {
     if (frame.role == role) return &frame;

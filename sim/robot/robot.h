@@ -128,6 +128,9 @@ struct Link {
   TriangleMesh mesh;                 // [m]
   Inertial inertial = {};            // in the link's frame; mass 0: not known
   std::optional<PadShape> pad = {};  // of its surface that gives way (sim/soft/pad.h)
+  // What the description of the real robot calls the link that it is a part of
+  // ("panda_leftfinger"); empty: as `name`.
+  std::string driver_name = {};
 };
 
 // What a frame is there for.
@@ -215,8 +218,9 @@ struct Robot {
   std::vector<std::string> notes = {};
 };
 
-// What the real robot's driver calls a joint.
+// What the real robot's driver calls a joint or link.
 const std::string& driver_name(const Joint& joint);
+const std::string& driver_name(const Link& link);
 
 // The first frame with that role; nullptr where there is none.
 const RobotFrame* frame_with(const Robot& robot, FrameRole role);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "planner/plan/path/blend_transfer.h"
@@ -50,7 +52,14 @@ class GraspPathPlanner {
 
   // The trial's own line comes first: other lines cost a search by inverse kinematics, which is
   // left out where the first succeeds.
-  std::optional<GraspPath> plan() {
+  GraspPathAttempt plan() {
+    std::optional<GraspPath> path = first_path();
+    if (path) return {std::move(path), {}};
+    return {std::nullopt, most_in_the_way()};
+  }
+
+ private:
+  std::optional<GraspPath> first_path() {
     int tried = 0;
     tell(tried);
     if (!trial_.arm_line.empty()) {
@@ -64,7 +73,6 @@ class GraspPathPlanner {
     return std::nullopt;
   }
 
- private:
   void tell(int tried) const {
     if (context_.progress) context_.progress({Stage::paths, tried, options_.alternatives, 0});
   }
@@ -92,7 +100,7 @@ class GraspPathPlanner {
 
   // The path whose approach runs along `line`, with the hand taking its preshape at the start where
   // that works, else at the pre-grasp.
-  std::optional<GraspPath> along(const std::vector<DofValues>& line) const {
+  std::optional<GraspPath> along(const std::vector<DofValues>& line) {
     for (const bool opens_first : {true, false}) {
       // With nothing to open, both orders are the same path.
       if (!opens_first && start_hand_ == line_.hand_joints) continue;
@@ -131,25 +139,30 @@ class GraspPathPlanner {
 
   // Both orders are worth trying: there may be no room to open the hand at the start, or none to
   // carry it open.
-  std::optional<Trajectory> along(const std::vector<DofValues>& line, bool opens_first) const {
+  std::optional<Trajectory> along(const std::vector<DofValues>& line, bool opens_first) {
     const std::vector<double>& carried = opens_first ? line_.hand_joints : start_hand_;
     // The quick check of the opening comes before the search for a transfer, which is expensive.
     const DofValues& opens_at = opens_first ? arm_.start : line.front();
     const JointPath opening = {arm_joints(arm_, opens_at, start_hand_),
                                arm_joints(arm_, opens_at, line_.hand_joints)};
-    if (first_blocked(arm_, pairs_, opening, options_.transfer.motion, context_))
+    const MotionCheckOptions& motion = options_.transfer.motion;
+    if (const auto blocked = first_blocked(arm_, pairs_, opening, motion, context_)) {
+      count(*blocked);
       return std::nullopt;
-    const std::vector<DofValues> waypoints =
-        plan_transfer(arm_, {arm_.start, line.front(), carried}, options_.transfer, context_)
-            .waypoints;
-    if (waypoints.empty()) return std::nullopt;
+    }
+    const TransferPath transfer =
+        plan_transfer(arm_, {arm_.start, line.front(), carried}, options_.transfer, context_);
+    if (transfer.waypoints.empty()) {
+      if (transfer.bottleneck) count(*transfer.bottleneck);
+      return std::nullopt;
+    }
     Trajectory path;
     for (const Joint& joint : arm_.robot().joints) path.joints.push_back(joint.name);
     const bool opens = start_hand_ != line_.hand_joints;
     if (opens && opens_first) add(path, "preshape", opening, PathKind::corners);
     append(path, "transfer",
-           blend_transfer(arm_, waypoints, carried, limits_, options_.transfer, options_.timing,
-                          context_));
+           blend_transfer(arm_, transfer.waypoints, carried, limits_, options_.transfer,
+                          options_.timing, context_));
     if (opens && !opens_first) add(path, "preshape", opening, PathKind::corners);
     // The line is densely sampled along a smooth motion, so it is run through without stops.
     add(path, "approach", with_hand(line, line_.hand_joints), PathKind::smooth);
@@ -162,6 +175,19 @@ class GraspPathPlanner {
     }
     add(path, "close", closing, PathKind::corners);
     return path;
+  }
+
+  void count(const ArmPair& pair) {
+    ++in_the_way_[{first_name(arm_, pair), second_name(arm_, pair)}];
+  }
+
+  // Of several that were in the way as often, the first by name.
+  CollisionNames most_in_the_way() const {
+    const auto most =
+        std::max_element(in_the_way_.begin(), in_the_way_.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (most == in_the_way_.end()) return {};
+    return {most->first.first, most->first.second};
   }
 
   // Joints of the platform along the postures of the arm, the hand's the same all the way.
@@ -185,6 +211,7 @@ class GraspPathPlanner {
   const HandLine line_;
   std::vector<double> start_hand_;
   std::vector<ArmPair> pairs_;
+  std::map<std::pair<std::string, std::string>, int> in_the_way_;  // of the alternatives tried
 };
 
 }  // namespace
@@ -192,13 +219,12 @@ class GraspPathPlanner {
 std::optional<GraspPath> plan_grasp_path(const CompiledScene& scene, const Candidate& candidate,
                                          const Trial& trial, const GraspPathOptions& options,
                                          const RunContext& context) {
-  return plan_grasp_path(scene, SecondCheck(*scene.arm), candidate, trial, options, context);
+  return try_grasp_path(scene, SecondCheck(*scene.arm), candidate, trial, options, context).path;
 }
 
-std::optional<GraspPath> plan_grasp_path(const CompiledScene& scene, const SecondCheck& bodies,
-                                         const Candidate& candidate, const Trial& trial,
-                                         const GraspPathOptions& options,
-                                         const RunContext& context) {
+GraspPathAttempt try_grasp_path(const CompiledScene& scene, const SecondCheck& bodies,
+                                const Candidate& candidate, const Trial& trial,
+                                const GraspPathOptions& options, const RunContext& context) {
   require_settings(options);
   return GraspPathPlanner(scene, bodies, candidate, trial, options, context).plan();
 }

@@ -10,12 +10,12 @@
 #include "sim/motion/control/time_path.h"
 #include "sim/motion/control/trajectory.h"
 #include "sim/scene/reach/reach_options.h"
+#include "sim/trial/trial.h"
 
 namespace prehend {
 
 struct Candidate;
 struct CompiledScene;
-struct Trial;
 
 struct GraspPathOptions {
   static constexpr AboutSettings kAbout{"GraspPathOptions", "The whole path of an arm to a grasp."};
@@ -64,10 +64,16 @@ std::optional<GraspPath> plan_grasp_path(const CompiledScene& scene, const Candi
                                          const Trial& trial, const GraspPathOptions& options = {},
                                          const RunContext& context = {});
 
-// The same with the bodies of scene.arm prepared for check_path already, for several grasps.
-std::optional<GraspPath> plan_grasp_path(const CompiledScene& scene, const SecondCheck& bodies,
-                                         const Candidate& candidate, const Trial& trial,
-                                         const GraspPathOptions& options = {},
-                                         const RunContext& context = {});
+// A path, or what was in the way most often; no names where no posture of the arm was found.
+struct GraspPathAttempt {
+  std::optional<GraspPath> path;
+  CollisionNames in_the_way;
+};
+
+// As plan_grasp_path, with the bodies of scene.arm prepared for check_path already, for several
+// grasps.
+GraspPathAttempt try_grasp_path(const CompiledScene& scene, const SecondCheck& bodies,
+                                const Candidate& candidate, const Trial& trial,
+                                const GraspPathOptions& options, const RunContext& context);
 
 }  // namespace prehend

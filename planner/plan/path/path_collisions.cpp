@@ -52,10 +52,10 @@ std::array<Vector3, 8> box_corners(const TriangleMesh& mesh) {
   return corners;
 }
 
-// How far the farthest corner is in one pose from where it is in another [m].
-double farthest_move(const std::array<Vector3, 8>& corners, const Pose& X_from, const Pose& X_to) {
-  const Matrix3 turned = X_to.linear() - X_from.linear();
-  const Vector3 moved = X_to.translation() - X_from.translation();
+// How far the farthest corner is in the pose X_BC of a body from where it is in the pose X_BA [m].
+double farthest_move(const std::array<Vector3, 8>& corners, const Pose& X_BA, const Pose& X_BC) {
+  const Matrix3 turned = X_BC.linear() - X_BA.linear();
+  const Vector3 moved = X_BC.translation() - X_BA.translation();
   double most = 0.0;
   for (const Vector3& p : corners) most = std::max(most, (turned * p + moved).squaredNorm());
   return std::sqrt(most);

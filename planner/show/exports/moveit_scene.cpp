@@ -1,5 +1,7 @@
 #include "planner/show/exports/moveit_scene.h"
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 #include "planner/show/exports/moveit_message.h"
@@ -33,10 +35,14 @@ class SceneWriter {
  private:
   void key(const char* name) { yaml_ << YAML::Key << name << YAML::Value; }
 
-  // moveit_msgs/AllowedCollisionMatrix: the links of the hand with the object.
+  // moveit_msgs/AllowedCollisionMatrix: the links of the hand with the object, by the
+  // names of the robot's own description.
   void write_allowed(const Scene& scene) {
     std::vector<std::string> names = {scene.object.name};
-    for (const Link& link : scene.hand.links) names.push_back(link.name);
+    for (const Link& link : scene.hand.links) {
+      const std::string& name = driver_name(link);
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
     key("allowed_collision_matrix");
     yaml_ << YAML::BeginMap;
     key("entry_names");

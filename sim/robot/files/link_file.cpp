@@ -99,6 +99,7 @@ Link read_link(const JsonField& field, const FileUnits& units, const NamedGeomet
             .joint = joint,
             .mesh = read_geometry(field["geometry"], units, named, budget)};
   link.inertial = read_inertial(field, units, link.mesh);
+  link.driver_name = field.text_or("driver_name", "");
   if (field.has("pad")) link.pad = read_pad(field["pad"], units);
   return link;
 }

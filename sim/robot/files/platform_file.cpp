@@ -33,8 +33,8 @@ int find_chain(const JsonField& field, const Robot& robot) {
 }
 
 Link read_mount(const JsonField& field, const FileUnits& units, ShapeBudget& budget) {
-  field.allow_only(
-      {"name", "material", "geometry", "mass", "density", "center_of_mass", "inertia"});
+  field.allow_only({"name", "driver_name", "material", "geometry", "mass", "density",
+                    "center_of_mass", "inertia"});
   return read_link(field, units, {}, budget, -1);
 }
 

@@ -83,7 +83,8 @@ Robot RobotReader::read() {
   units_ = read_units(root_);
   if (root_.has("geometries")) read_named_geometry();
   const JsonField base = root_["base"];
-  base.allow_only({"name", "material", "geometry", "mass", "density", "center_of_mass", "inertia"});
+  base.allow_only({"name", "driver_name", "material", "geometry", "mass", "density",
+                   "center_of_mass", "inertia"});
   add_link(base, -1);
   if (root_.has("links")) read_base_links();
   const std::vector<JsonField> chains = root_["chains"].items();
@@ -121,8 +122,8 @@ void RobotReader::add_link(const JsonField& field, int joint) {
 // Links beside the base that do not move either.
 void RobotReader::read_base_links() {
   for (const JsonField& field : root_["links"].items()) {
-    field.allow_only(
-        {"name", "material", "geometry", "mass", "density", "center_of_mass", "inertia"});
+    field.allow_only({"name", "driver_name", "material", "geometry", "mass", "density",
+                      "center_of_mass", "inertia"});
     add_link(field, -1);
   }
 }
@@ -281,8 +282,8 @@ void RobotReader::derive_limits(const JsonField& field, int dof) {
 
 void RobotReader::read_chain_links(const JsonField& chain_field, const Chain& chain) {
   for (const JsonField& field : chain_field["links"].items()) {
-    field.allow_only({"name", "joint", "material", "geometry", "mass", "density", "center_of_mass",
-                      "inertia", "pad"});
+    field.allow_only({"name", "driver_name", "joint", "material", "geometry", "mass", "density",
+                      "center_of_mass", "inertia", "pad"});
     const JsonField name = field["joint"];
     const auto found = joint_index_.find(name.text());
     if (found == joint_index_.end() || found->second < chain.first_joint ||

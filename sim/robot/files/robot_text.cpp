@@ -40,6 +40,7 @@ Json mesh_json(const TriangleMesh& mesh) {
 // Without the joint that it follows.
 Json link_json(const Link& link) {
   Json json{{"name", link.name}, {"material", link.material}};
+  if (!link.driver_name.empty()) json["driver_name"] = link.driver_name;
   const Inertial& inertial = link.inertial;
   if (inertial.mass > 0.0) {
     json["mass"] = inertial.mass;

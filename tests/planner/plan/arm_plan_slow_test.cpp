@@ -187,7 +187,8 @@ void expect_accounted_for(const PlanResult& result) {
   int blocked = 0;
   for (const CollisionCount& blocker : result.blockers) {
     EXPECT_FALSE(blocker.by.empty());
-    blocked += blocker.count;
+    // What kept a stable grasp from a path did not block its trial.
+    if (blocker.outcome != Outcome::no_path) blocked += blocker.count;
   }
   EXPECT_EQ(blocked, count_of(result, Outcome::hand_blocked) +
                          count_of(result, Outcome::approach_blocked) +
@@ -309,6 +310,25 @@ TEST(ArmPlanObstacles, NothingIsGraspedInAClosedCrate) {
                      [](const CollisionCount& blocker) { return blocker.by == "crate"; });
     EXPECT_NE(crate, result.blockers.end()) << name;
   }
+}
+
+// With searches that are given up at once.
+TEST(ArmPlanObstacles, WhatWasInTheWayOfPathsIsCounted) {
+  PlanOptions options = options_of(PathPlanner::rrt_connect, 5);
+  options.search.trials = 300;
+  options.paths->transfer.max_iterations = 1;
+  const PlanResult result = plan(test::compiled_library_scene("shelf"), options);
+  expect_accounted_for(result);
+  int named = 0;
+  for (const Tried& tried : result.tried) {
+    if (tried.outcome == Outcome::no_path) named += int{!tried.collision_of.by.empty()};
+  }
+  EXPECT_GT(named, 0);
+  int counted = 0;
+  for (const CollisionCount& blocker : result.blockers) {
+    if (blocker.outcome == Outcome::no_path) counted += blocker.count;
+  }
+  EXPECT_EQ(counted, named);
 }
 
 std::string planned_text(const CompiledScene& scene, PathPlanner planner, int threads) {

@@ -1,14 +1,17 @@
 // The frames and joints that exports name, against the URDF file of the robot's maker, where it is
 // at hand: its forward kinematics are multiplied out here, without any of our readers.
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <tinyxml2.h>
+#include <yaml-cpp/yaml.h>
 
 #include <gtest/gtest.h>
 
 #include "planner/plan/path/arm_path.h"
 #include "planner/show/exports/end_effector.h"
+#include "planner/show/exports/moveit_scene.h"
 #include "sim/base/index.h"
 #include "sim/base/random.h"
 #include "sim/scene/compiled_scene.h"
@@ -118,6 +121,32 @@ TEST(RealFrames, OfThePandaAreThoseOfItsUrdf) {
         EXPECT_LT((moved - urdf.pose("panda_leftfinger", values).translation()).norm(), kDigits);
       }
     }
+  }
+}
+
+// The entries of the planning scene's matrix of allowed collisions are links of the file.
+TEST(RealFrames, LinksAreCalledAsInTheUrdfOfThePanda) {
+  PREHEND_NEEDS_SHARED(kPanda);
+  tinyxml2::XMLDocument urdf;
+  ASSERT_EQ(urdf.LoadFile(test::shared(kPanda).string().c_str()), tinyxml2::XML_SUCCESS);
+  std::set<std::string> known = {"nothing"};
+  for (const auto* link = urdf.RootElement()->FirstChildElement("link"); link != nullptr;
+       link = link->NextSiblingElement("link")) {
+    known.insert(link->Attribute("name"));
+  }
+  for (const std::string& platform : {std::string("panda"), test::shared(kPanda).string()}) {
+    SCOPED_TRACE(platform);
+    Scene scene = panda_scene(platform);
+    scene.object.name = "nothing";
+    const YAML::Node yaml = YAML::Load(moveit_scene_yaml(compile(scene)));
+    const YAML::Node entries = yaml["allowed_collision_matrix"]["entry_names"];
+    std::set<std::string> names;
+    for (const YAML::Node& entry : entries) names.insert(entry.as<std::string>());
+    EXPECT_EQ(names.size(), entries.size());
+    for (const char* link : {"nothing", "panda_hand", "panda_leftfinger", "panda_rightfinger"}) {
+      EXPECT_TRUE(names.contains(link)) << link;
+    }
+    for (const std::string& name : names) EXPECT_TRUE(known.contains(name)) << name;
   }
 }
 
