@@ -35,6 +35,7 @@ struct PathCommand {
   std::string to;                 // values of joints
   std::string pose;               // of a frame of the hand in the world
   std::string frame;              // which; empty: the hand's base link
+  bool straight = false;          // to the pose in a straight line
   std::filesystem::path request;  // of MoveIt; empty: none
   std::string planner = "rrt_connect";
   std::optional<int> iterations;  // empty: those of TransferOptions
@@ -46,6 +47,7 @@ struct PathCommand {
 void declare(CLI::App& command, PathCommand& options) {
   add_examples(command, {"path panda_on_table --to panda_joint1=0.5",
                          "path panda_on_table --to-pose 0.4,0,0.6,1,0,0,0 --frame panda_hand_tcp",
+                         "path panda_on_table --to-pose 0.4,0,0.5,1,0,0,0 --straight",
                          "path scene.yaml --request request.yaml"});
   command.add_option("scene", options.scene, "scene name, scene file, or scene of MoveIt (YAML)")
       ->required();
@@ -55,6 +57,8 @@ void declare(CLI::App& command, PathCommand& options) {
                      "goal: x,y,z,qx,qy,qz,qw in the world, in m; of --frame");
   command.add_option("--frame", options.frame,
                      "frame of the hand or arm that --to-pose is of; else the hand's base");
+  command.add_flag("--straight", options.straight,
+                   "to --to-pose in a straight line of the hand, turning at a constant rate");
   command.add_option("--from", options.from, "start, as --to; else where the scene has the arm");
   command
       .add_option("--request", options.request,
@@ -137,9 +141,8 @@ Pose hand_in_frame(const Scene& scene, const std::string& name) {
       {.field = "--frame", .problem = "the hand has no such frame, but " + known, .value = name});
 }
 
-// Postures that have the frame at the pose, nearest to the start first.
-std::vector<DofValues> postures_of(const PathCommand& command, const CompiledScene& scene,
-                                   const ReachOptions& options, const RunContext& context) {
+// The pose of the hand's base at the goal, in the world.
+Pose hand_at_goal(const PathCommand& command, const CompiledScene& scene) {
   const std::vector<double> p = numbers_of(command.pose, "--to-pose");
   require(p.size() == 7,
           {.field = "--to-pose", .problem = "must be x,y,z,qx,qy,qz,qw", .value = command.pose});
@@ -147,8 +150,7 @@ std::vector<DofValues> postures_of(const PathCommand& command, const CompiledSce
   require(turn.norm() > 1e-6,
           {.field = "--to-pose", .problem = "the quaternion is zero", .value = command.pose});
   const Pose X_WF = pose_from(turn.normalized().toRotationMatrix(), Vector3(p[0], p[1], p[2]));
-  const Pose X_WH = X_WF * hand_in_frame(scene.scene, command.frame);
-  return postures_at(*scene.arm, scene.scene.object.X_WO.inverse() * X_WH, options, context);
+  return X_WF * hand_in_frame(scene.scene, command.frame);
 }
 
 void require_one_goal(const PathCommand& command) {
@@ -157,6 +159,8 @@ void require_one_goal(const PathCommand& command) {
   require(goals == 1, {.problem = "path: exactly one of --to, --to-pose and --request is needed"});
   require(command.frame.empty() || !command.pose.empty(),
           {.field = "--frame", .problem = "only beside --to-pose", .value = command.frame});
+  require(!command.straight || !command.pose.empty(),
+          {.field = "--straight", .problem = "only beside --to-pose"});
 }
 
 // The scene with the arm at the start, and the values at the goal where it is one of joints.
@@ -188,6 +192,18 @@ AskedPath asked_of(const PathCommand& command) {
   return {compile(std::move(scene)), std::move(goal)};
 }
 
+ArmPath path_to(const PathCommand& command, const AskedPath& asked, const GraspPathOptions& options,
+                const RunContext& context) {
+  const CompiledScene& scene = asked.scene;
+  if (asked.goal) return plan_arm_path(scene, {*asked.goal}, options, context);
+  const Pose X_WH = hand_at_goal(command, scene);
+  if (command.straight) return plan_arm_line(scene, X_WH, options, context);
+  // Nearest to the start first.
+  const Pose X_OH = scene.scene.object.X_WO.inverse() * X_WH;
+  return plan_arm_path(scene, postures_at(*scene.arm, X_OH, options.reach, context), options,
+                       context);
+}
+
 int print_failure(const ArmPath& path) {
   std::cout << "no path: " << name_of(path.end);
   if (!path.why.empty()) std::cout << " (" << path.why << ")";
@@ -209,10 +225,7 @@ int run_path(const PathCommand& command, Interrupts& interrupts) {
   options.transfer.seed = command.common.seed;
   options.transfer.max_iterations = command.iterations.value_or(options.transfer.max_iterations);
   options.check.collisions = !command.no_second_check;
-  const std::vector<DofValues> goals =
-      asked.goal ? std::vector<DofValues>{*asked.goal}
-                 : postures_of(command, asked.scene, options.reach, context);
-  const ArmPath path = plan_arm_path(asked.scene, goals, options, context);
+  const ArmPath path = path_to(command, asked, options, context);
   make_folder(command.common.out);
   const std::vector<std::string> names = {"path.csv", "path_moveit.yaml"};
   if (path.end != ArmPathEnd::found) {
@@ -224,12 +237,13 @@ int run_path(const PathCommand& command, Interrupts& interrupts) {
   interrupts.write(command.common.out / names[0], path_csv(path.motion));
   interrupts.write(command.common.out / names[1],
                    moveit_trajectories_yaml(path.motion, driver_names(asked.scene.arm->robot())));
-  std::cout << formatted(
-                   "path of %.3f s: %zu straight lines, %.2f times as long as one; %d postures "
-                   "checked, none collides\n",
-                   path.motion.times.back(), path.waypoints.size() - 1,
-                   relative_length(path.waypoints), path.check.postures)
-            << "wrote " << command.common.out.string() << ": " << joined(names) << "\n";
+  const std::string way =
+      command.straight ? std::string("along a straight line of the hand")
+                       : formatted("by %zu straight lines of the joints, %.2f times as long as one",
+                                   path.waypoints.size() - 1, relative_length(path.waypoints));
+  std::cout << formatted("path of %.3f s ", path.motion.times.back()) << way
+            << formatted("; %d postures checked, none collides\n", path.check.postures) << "wrote "
+            << command.common.out.string() << ": " << joined(names) << "\n";
   return 0;
 }
 

@@ -207,18 +207,25 @@ py::object plan_path_in_python(const TrialHandle& trial, const GraspPathOptions&
 // To the postures, or to those that have the hand's base at the pose.
 py::dict plan_arm_path_in_python(const CompiledHandle& scene,
                                  const std::vector<std::vector<double>>& postures,
-                                 const std::optional<Doubles>& X_WH, const GraspPathOptions& asked,
-                                 const CallOptions& call) {
+                                 const std::optional<Doubles>& X_WH, bool straight,
+                                 const GraspPathOptions& asked, const CallOptions& call) {
   const GraspPathOptions options = asked;
   const CompiledScene& compiled = *scene.scene;
   // prehend/planning.py refuses others before, with a message in words.
   if (!compiled.arm) throw std::invalid_argument("no arm");
   std::vector<DofValues> goals(postures.begin(), postures.end());
-  std::optional<Pose> X_OH;
-  if (X_WH) X_OH = compiled.scene.object.X_WO.inverse() * pose_of(*X_WH);
+  std::optional<Pose> pose;
+  if (X_WH) pose = pose_of(*X_WH);
   ArmPath path;
   run_in_background(call, [&](const RunContext& context) {
-    if (X_OH) goals = postures_at(*compiled.arm, *X_OH, options.reach, context);
+    if (pose && straight) {
+      path = plan_arm_line(compiled, *pose, options, context);
+      return;
+    }
+    if (pose) {
+      const Pose X_OH = compiled.scene.object.X_WO.inverse() * *pose;
+      goals = postures_at(*compiled.arm, X_OH, options.reach, context);
+    }
     path = plan_arm_path(compiled, goals, options, context);
   });
   py::dict fields;

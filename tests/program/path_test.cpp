@@ -58,6 +58,23 @@ goal_constraints: [{joint_constraints: [{joint_name: panda_joint1, position: 1.5
   EXPECT_FALSE(std::filesystem::exists(folder / "out" / "path.csv"));
 }
 
+TEST(Path, InAStraightLineOfTheHand) {
+  const std::filesystem::path out = fresh_folder("path_straight");
+  const std::string goal =
+      "--from 0,-0.785,0,-2.356,0,1.571,0.785 --frame panda_hand_tcp --straight ";
+  const ProgramRun run = path("panda_on_table " + goal + "--to-pose 0.4,0.1,0.5,1,0,0,0", out);
+  ASSERT_EQ(run.status, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("along a straight line of the hand"), std::string::npos) << run.out;
+  EXPECT_NE(content(out / "path.csv").find(",line,"), std::string::npos);
+  const ProgramRun far = path("panda_on_table " + goal + "--to-pose 2,0.1,0.5,1,0,0,0", out);
+  EXPECT_EQ(far.status, 1);
+  EXPECT_NE(far.out.find("no path: unreachable (after "), std::string::npos) << far.out;
+  const ProgramRun down = path("panda_on_table " + goal + "--to-pose 0.4,0,-0.1,1,0,0,0", out);
+  EXPECT_EQ(down.status, 1);
+  EXPECT_NE(down.out.find("no path: line_blocked ("), std::string::npos) << down.out;
+  EXPECT_NE(down.out.find("meets table"), std::string::npos) << down.out;
+}
+
 TEST(Path, RefusesWhatItCannotAnswer) {
   const std::filesystem::path out = fresh_folder("path_refused");
   expect_refused(path("panda_on_table", out), "exactly one of --to, --to-pose and --request");
@@ -70,6 +87,7 @@ TEST(Path, RefusesWhatItCannotAnswer) {
   expect_refused(path("panda_on_table --to-pose 1,2,3,0,0,0,1 --frame nose", out),
                  "panda_hand_tcp");
   expect_refused(path("panda_on_table --to 0,0,0,0,0,0,0 --frame panda_hand", out), "--to-pose");
+  expect_refused(path("panda_on_table --to 0,0,0,0,0,0,0 --straight", out), "--to-pose");
   expect_refused(path("mug --to 1", out), "no arm");
   expect_refused(path("panda_on_table --robot panda --to 1", out), "MoveIt");
 }

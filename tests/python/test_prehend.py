@@ -533,7 +533,16 @@ class Kinematics(unittest.TestCase):
         far = np.eye(4)
         far[0, 3] = 5.0
         self.assertEqual(planning.plan_arm_path(scene, X_WH=far).end, "unreachable")
-        for wrong in [dict(), dict(dofs=goal, X_WH=far), dict(dofs=[1.0]), dict(dofs=goal * np.nan)]:
+        line = planning.plan_arm_path(scene, X_WH=far, straight=True)
+        self.assertEqual((line.end, line.path), ("unreachable", None))
+        self.assertRegex(line.why, r"^after \d+ % of the line$")
+        for wrong in [
+            dict(),
+            dict(dofs=goal, X_WH=far),
+            dict(dofs=[1.0]),
+            dict(dofs=goal * np.nan),
+            dict(dofs=goal, straight=True),
+        ]:
             with self.assertRaises(prehend.InputError):
                 planning.plan_arm_path(scene, **wrong)
         with self.assertRaisesRegex(prehend.InputError, "arm"):

@@ -4,10 +4,13 @@
 #include <utility>
 
 #include "planner/plan/path/blend_transfer.h"
+#include "planner/plan/path/motion_lines.h"
+#include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/number_text.h"
 #include "sim/base/require_settings.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/scene/reach/cartesian_line.h"
 #include "sim/scene/reach/motion_check.h"
 
 namespace prehend {
@@ -34,6 +37,15 @@ ArmPath failed(ArmPathEnd end, std::string why = {}) {
   ArmPath path;
   path.end = end;
   path.why = std::move(why);
+  return path;
+}
+
+// The second check of the motion, which ends the planning.
+ArmPath judged(const CompiledScene& scene, ArmPath path, const GraspPathOptions& options,
+               const RunContext& context) {
+  path.check = check_path(scene, path.motion, options.check, context);
+  path.end = path.check.ok() ? ArmPathEnd::found : ArmPathEnd::refused;
+  path.why = path.check.first_collision;
   return path;
 }
 
@@ -66,10 +78,15 @@ ArmPath to_goal(const CompiledScene& scene, const DofValues& goal, const GraspPa
   append(path.motion, "transfer",
          blend_transfer(arm, path.waypoints, hand, joint_limits(robot), options.transfer,
                         options.timing, context));
-  path.check = check_path(scene, path.motion, options.check, context);
-  path.end = path.check.ok() ? ArmPathEnd::found : ArmPathEnd::refused;
-  path.why = path.check.first_collision;
-  return path;
+  return judged(scene, std::move(path), options, context);
+}
+
+// The pose of the hand's base in the world.
+Pose hand_in_world(const CompiledArm& arm, const DofValues& dofs) {
+  std::vector<Pose> X_BJ;
+  joint_poses(arm.robot(), joint_values(arm.robot(), dofs), X_BJ);
+  const PlatformPart& hand = arm.hand_part();
+  return arm.X_WB * (hand.joint < 0 ? hand.X_JR : Pose(X_BJ[index(hand.joint)] * hand.X_JR));
 }
 
 }  // namespace
@@ -84,6 +101,36 @@ ArmPath plan_arm_path(const CompiledScene& scene, const std::vector<DofValues>& 
     if (path.end > best.end) best = std::move(path);
   }
   return best;
+}
+
+ArmPath plan_arm_line(const CompiledScene& scene, const Pose& X_WH, const GraspPathOptions& options,
+                      const RunContext& context) {
+  require_settings(options);
+  CompiledArm arm = *scene.arm;
+  const Pose X_OW = scene.scene.object.X_WO.inverse();
+  FollowedLine line = follow_line_inside(arm, X_OW * hand_in_world(arm, arm.start), X_OW * X_WH,
+                                         arm.start, options.reach, context);
+  if (line.end != LineEnd::followed) {
+    const double part = 100.0 * (line.failed - 1) / line.steps;
+    return failed(line.end == LineEnd::jump ? ArmPathEnd::line_jumps : ArmPathEnd::unreachable,
+                  formatted("after %.0f %% of the line", part));
+  }
+  const std::vector<double> hand = start_hand(arm, scene.scene.hand.joints.size());
+  JointPath postures;
+  for (const DofValues& dofs : line.postures) postures.push_back(arm_joints(arm, dofs, hand));
+  const TimedPath timed =
+      time_path(postures, PathKind::smooth, joint_limits(arm.robot()), options.timing);
+  const MotionLines lines = motion_lines(timed, 0, timed.times.size() - 1);
+  for (const std::vector<ArmPair>* pairs : {&arm.arm_pairs, &arm.hand_pairs}) {
+    const auto pair =
+        first_blocked(arm, *pairs, lines.lines, lines.sway, options.transfer.motion, context);
+    if (pair) return failed(ArmPathEnd::line_blocked, met(arm, *pair));
+  }
+  ArmPath path;
+  path.waypoints = std::move(line.postures);
+  for (const Joint& joint : arm.robot().joints) path.motion.joints.push_back(joint.name);
+  append(path.motion, "line", timed);
+  return judged(scene, std::move(path), options, context);
 }
 
 double relative_length(const std::vector<DofValues>& waypoints) {

@@ -15,36 +15,12 @@
 #include "sim/trial/trial.h"
 
 namespace prehend {
-namespace {
-
-// Where a joint comes to rest at its limit, the smooth curve through the postures swings beyond
-// them by a few times 1e-4. So the line is followed inside of narrower limits [rad or m].
-constexpr double kInsideLimits = 1e-3;
-
-// Follows the line with limits that are narrower, but contain the first posture.
-FollowedLine follow_inside(CompiledArm& arm, const Pose& X_OH_from, const Pose& X_OH_to,
-                           const DofValues& first, const ReachOptions& options,
-                           const RunContext& context) {
-  std::vector<DegreeOfFreedom>& dofs = arm.platform.robot.dofs;
-  const std::vector<DegreeOfFreedom> whole = dofs;
-  for (const int d : arm.dofs) {
-    DegreeOfFreedom& dof = dofs[index(d)];
-    dof.lower = std::min(dof.lower + kInsideLimits, first[index(d)]);
-    dof.upper = std::max(dof.upper - kInsideLimits, first[index(d)]);
-  }
-  FollowedLine line = follow_line(arm, X_OH_from, X_OH_to, first, options, context);
-  dofs = whole;
-  return line;
-}
-
-}  // namespace
-
 std::vector<DofValues> lift_postures(const HeldObject& held, CompiledArm& arm, double height,
                                      const ReachOptions& reach, const RunContext& context) {
   const Vector3 up_O = held.scene.scene.object.X_WO.linear().transpose() * Vector3::UnitZ();
   const Pose& X_OH = held.trial.X_OH;
-  FollowedLine line =
-      follow_inside(arm, X_OH, translation(height * up_O) * X_OH, held.arm_dofs, reach, context);
+  FollowedLine line = follow_line_inside(arm, X_OH, translation(height * up_O) * X_OH,
+                                         held.arm_dofs, reach, context);
   if (line.end != LineEnd::followed) return {};
   return std::move(line.postures);
 }

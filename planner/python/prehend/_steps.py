@@ -54,7 +54,8 @@ class ArmPath:
 
     end: str
     """"found", "unreachable", "beyond_limits", "goal_collides", "not_found" (the search ended after
-    its iterations) or "refused" (by the second check)."""
+    its iterations) or "refused" (by the second check); of a straight line also "line_jumps" (a
+    singular posture) and "line_blocked" (something collides on the way)."""
     why: str
     """Which bodies meet, or which limit is passed; empty where there is nothing to say."""
     path: Optional[Path]

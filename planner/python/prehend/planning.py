@@ -407,6 +407,7 @@ def plan_arm_path(
     X_WH: Optional[ArrayLike] = None,
     options: Optional["_core.GraspPathOptions"] = None,
     *,
+    straight: bool = False,
     cancellation: Optional["_core.Cancellation"] = None,
 ) -> ArmPath:
     """The motion of an arm from where the scene starts to a posture, or to one that has the hand at
@@ -417,9 +418,11 @@ def plan_arm_path(
         dofs: all degrees of freedom of the platform at the goal [rad or m].
         X_WH: 4 x 4, of the hand's base in the world, in place of dofs.
         options: None: GraspPathOptions().
+        straight: the hand moves to X_WH in a straight line, turning at a constant rate.
 
     Raises:
-        InputError: for a scene without an arm, and unless one of dofs and X_WH is given.
+        InputError: for a scene without an arm, unless one of dofs and X_WH is given, and for
+            straight without X_WH.
         Cancelled: once the cancellation is requested.
     """
     compiled = as_compiled(scene)
@@ -428,11 +431,14 @@ def plan_arm_path(
         raise InputError("has no arm", field="scene")
     if (dofs is None) == (X_WH is None):
         raise InputError("one of dofs and X_WH is needed", field="dofs")
+    if straight and X_WH is None:
+        raise InputError("needs X_WH", field="straight")
     goals = [] if dofs is None else [as_finite(dofs, "dofs", (len(robot.dofs),))]
     fields = _core.plan_arm_path(
         compiled,
         goals,
         None if X_WH is None else as_pose(X_WH, "X_WH"),
+        straight,
         _core.GraspPathOptions() if options is None else options,
         call_options(1, None, cancellation),
     )

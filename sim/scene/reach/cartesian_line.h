@@ -26,6 +26,7 @@ struct FollowedLine {
   // followed, else those before step `failed`.
   std::vector<DofValues> postures;
   int failed = -1;  // the step that has none, counted from 0; -1: none
+  int steps = 0;    // of the whole line
 };
 
 // The postures in which the arm moves the hand along a straight line from X_OH_from to X_OH_to
@@ -36,5 +37,12 @@ struct FollowedLine {
 FollowedLine follow_line(const CompiledArm& arm, const Pose& X_OH_from, const Pose& X_OH_to,
                          const DofValues& first, const ReachOptions& options,
                          const RunContext& context = {});
+
+// The same for a motion that will be smoothed: where a joint comes to rest at its limit, a smooth
+// curve through the postures swings beyond them by a few times 1e-4 rad or m. So the limits are
+// narrower by 1e-3, but contain `first`. `arm` is as it was at the end.
+FollowedLine follow_line_inside(CompiledArm& arm, const Pose& X_OH_from, const Pose& X_OH_to,
+                                const DofValues& first, const ReachOptions& options,
+                                const RunContext& context = {});
 
 }  // namespace prehend
